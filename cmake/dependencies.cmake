@@ -1,0 +1,42 @@
+# Third-party libraries, each behind one target with its headers as SYSTEM, so that our warnings
+# speak of our code only. quickstart names the packages.
+
+find_package(Eigen3 3.4 REQUIRED NO_MODULE)
+find_package(Boost 1.74 REQUIRED)
+find_package(Threads REQUIRED)
+find_package(ZLIB REQUIRED)
+find_package(SQLite3 REQUIRED)
+find_package(OpenSSL REQUIRED COMPONENTS Crypto)
+find_package(yaml-cpp REQUIRED)
+find_package(nlohmann_json REQUIRED)
+find_package(CLI11 REQUIRED)
+
+# The exported package must be able to find these again: names here, not targets of this build.
+function(voronaut_system_library name)
+  cmake_parse_arguments(ARG "" "" "INCLUDES;LIBRARIES" ${ARGN})
+  add_library(${name} INTERFACE)
+  target_include_directories(${name} SYSTEM INTERFACE ${ARG_INCLUDES})
+  target_link_libraries(${name} INTERFACE ${ARG_LIBRARIES})
+endfunction()
+
+find_package(ompl 1.5 REQUIRED)
+voronaut_system_library(voronaut_ompl
+  INCLUDES ${OMPL_INCLUDE_DIRS} ${Boost_INCLUDE_DIRS} LIBRARIES ${OMPL_LIBRARIES} Boost::headers)
+
+find_path(VORONAUT_FCL_INCLUDE_DIR fcl/config.h REQUIRED)
+find_path(VORONAUT_CCD_INCLUDE_DIR ccd/ccd.h REQUIRED)
+find_library(VORONAUT_FCL_LIBRARY fcl REQUIRED)
+find_library(VORONAUT_CCD_LIBRARY ccd REQUIRED)
+voronaut_system_library(voronaut_fcl
+  INCLUDES ${VORONAUT_FCL_INCLUDE_DIR} ${VORONAUT_CCD_INCLUDE_DIR}
+  LIBRARIES ${VORONAUT_FCL_LIBRARY} ${VORONAUT_CCD_LIBRARY})
+
+find_path(VORONAUT_SLEEF_INCLUDE_DIR sleef.h REQUIRED)
+find_library(VORONAUT_SLEEF_LIBRARY sleef REQUIRED)
+voronaut_system_library(voronaut_sleef
+  INCLUDES ${VORONAUT_SLEEF_INCLUDE_DIR} LIBRARIES ${VORONAUT_SLEEF_LIBRARY})
+
+find_program(CCACHE_PROGRAM ccache)
+if(CCACHE_PROGRAM AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
+  set(CMAKE_CXX_COMPILER_LAUNCHER ${CCACHE_PROGRAM})
+endif()

@@ -1,0 +1,1 @@
+# The install tree and the package that find_package(voronaut) reads.

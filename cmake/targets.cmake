@@ -1,0 +1,63 @@
+# What every target of ours shares, and the one function that makes a library of a folder.
+
+# "voronaut/planners/..." is the same path in the tree and installed: here a link to the source root.
+set(VORONAUT_INCLUDE_ROOT "${PROJECT_BINARY_DIR}/include")
+file(MAKE_DIRECTORY "${VORONAUT_INCLUDE_ROOT}")
+if(NOT EXISTS "${VORONAUT_INCLUDE_ROOT}/voronaut")
+  file(CREATE_LINK "${PROJECT_SOURCE_DIR}" "${VORONAUT_INCLUDE_ROOT}/voronaut" SYMBOLIC)
+endif()
+
+# The same results from every compiler and instruction set: no fused multiply-add, no vectorised
+# reduction order. The alignment limits keep our Eigen types binary compatible with the packaged
+# libfcl at any -march; a mix aborts or misses collisions. Exported: a consumer needs them too.
+add_library(voronaut_determinism INTERFACE)
+add_library(voronaut::determinism ALIAS voronaut_determinism)
+target_compile_features(voronaut_determinism INTERFACE cxx_std_20)
+target_compile_options(voronaut_determinism INTERFACE -ffp-contract=off)
+target_compile_definitions(voronaut_determinism INTERFACE
+  EIGEN_DONT_VECTORIZE EIGEN_MAX_ALIGN_BYTES=16 EIGEN_MAX_STATIC_ALIGN_BYTES=16)
+
+add_library(voronaut_build_options INTERFACE)
+target_compile_options(voronaut_build_options INTERFACE
+  -Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor -Woverloaded-virtual -Wconversion
+  -Wno-sign-conversion
+  $<$<BOOL:${VORONAUT_WARNINGS_AS_ERRORS}>:-Werror>)
+if(VORONAUT_NAN_INITIALISED_EIGEN)
+  target_compile_definitions(voronaut_build_options INTERFACE EIGEN_INITIALIZE_MATRICES_BY_NAN)
+endif()
+if(VORONAUT_SANITIZERS)
+  target_compile_options(voronaut_build_options INTERFACE
+    -fsanitize=${VORONAUT_SANITIZERS} -fno-omit-frame-pointer)
+  target_link_options(voronaut_build_options INTERFACE -fsanitize=${VORONAUT_SANITIZERS})
+endif()
+if(VORONAUT_COVERAGE)
+  target_compile_options(voronaut_build_options INTERFACE --coverage)
+  target_link_options(voronaut_build_options INTERFACE --coverage)
+endif()
+
+# voronaut_library(<folder> SOURCES ... PUBLIC <libs> PRIVATE <libs>) -> voronaut::<folder>
+function(voronaut_library name)
+  cmake_parse_arguments(ARG "" "" "SOURCES;PUBLIC;PRIVATE" ${ARGN})
+  add_library(voronaut_${name} STATIC ${ARG_SOURCES})
+  add_library(voronaut::${name} ALIAS voronaut_${name})
+  set_target_properties(voronaut_${name} PROPERTIES
+    EXPORT_NAME ${name} POSITION_INDEPENDENT_CODE ON CXX_EXTENSIONS OFF)
+  target_include_directories(voronaut_${name} PUBLIC
+    $<BUILD_INTERFACE:${VORONAUT_INCLUDE_ROOT}> $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
+  target_link_libraries(voronaut_${name}
+    PUBLIC voronaut_determinism ${ARG_PUBLIC}
+    PRIVATE $<BUILD_INTERFACE:voronaut_build_options> ${ARG_PRIVATE})
+  set_property(GLOBAL APPEND PROPERTY VORONAUT_LIBRARIES voronaut_${name})
+endfunction()
+
+# voronaut_test(<folder> SOURCES ... LIBRARIES ...): one GoogleTest program per folder of tests/.
+function(voronaut_test name)
+  cmake_parse_arguments(ARG "" "" "SOURCES;LIBRARIES" ${ARGN})
+  add_executable(${name}_tests ${ARG_SOURCES})
+  set_target_properties(${name}_tests PROPERTIES CXX_EXTENSIONS OFF)
+  target_link_libraries(${name}_tests PRIVATE
+    ${ARG_LIBRARIES} voronaut_determinism voronaut_build_options GTest::gmock_main)
+  target_compile_definitions(${name}_tests PRIVATE
+    VORONAUT_SOURCE_DIR="${PROJECT_SOURCE_DIR}" VORONAUT_BINARY_DIR="${PROJECT_BINARY_DIR}")
+  gtest_discover_tests(${name}_tests TEST_PREFIX "${name}." DISCOVERY_TIMEOUT 60)
+endfunction()

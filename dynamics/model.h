@@ -1,0 +1,23 @@
+#pragma once
+
+#include "voronaut/dynamics/state.h"
+
+namespace voronaut {
+
+// How a body moves. A model is a pure function of state and command: it keeps no state of its own.
+class Model {
+ public:
+  virtual ~Model() = default;
+
+  // At rest at p_world, level, looking along `heading_world` (unit vector).
+  virtual VehicleState at_rest(const Vec3& p_world, const Eigen::Vector2d& heading_world) const = 0;
+
+  // The command that keeps a vehicle at rest where it is: what is applied before the first one.
+  virtual Command hold() const = 0;
+
+  // The state `period_s` later under `command` held constant.
+  virtual VehicleState step(const VehicleState& state, const Command& command,
+                            double period_s) const = 0;
+};
+
+}  // namespace voronaut

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <functional>
+#include <map>
+#include <string>
+#include <vector>
+
+#include <ompl/base/Planner.h>
+
+namespace voronaut {
+
+// What the executive must know of a planner beside its OMPL interface.
+struct PlannerTraits {
+  // Reactive planners are asked once per scan, keep their memory between solves (no clear()) and
+  // answer with the next leg only. All others plan when the path they gave no longer holds.
+  bool plans_on_every_scan = false;
+  // The same seed gives the same path, bit for bit, on one machine.
+  bool reproducible = true;
+};
+
+struct PlannerEntry {
+  std::string name;     // OMPL's own name where the planner is OMPL's
+  std::string summary;  // one line for `voronaut list planners`
+  PlannerTraits traits;
+  std::function<ompl::base::PlannerPtr(const ompl::base::SpaceInformationPtr&)> make;
+};
+
+// name -> factory, an explicit list. Parameters are the planner's own (ompl::base::ParamSet), set
+// by their declared names.
+class PlannerCatalog {
+ public:
+  static PlannerCatalog built_in();
+
+  void add(PlannerEntry entry);                             // throws if the name is taken
+  const PlannerEntry* find(const std::string& name) const;  // null if unknown
+  std::vector<const PlannerEntry*> entries() const;         // sorted by name
+
+ private:
+  std::map<std::string, PlannerEntry> entries_;
+};
+
+}  // namespace voronaut

@@ -1,0 +1,58 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+// What a report draws of a trial: plain numbers, so that a stored run can be drawn again without a
+// planner at hand. World frame W, SI units. `benchmarks` fills it from an episode's log.
+namespace voronaut {
+
+struct TracePoint {
+  double x_m = 0;
+  double y_m = 0;
+};
+
+// The true world a trial ran in. Stored once per world_id.
+struct TraceWorld {
+  std::string world_id;
+  TracePoint bounds_min, bounds_max;
+  std::vector<std::array<double, 3>> circles;  // x, y, radius
+  std::vector<std::vector<TracePoint>> polygons;
+  std::vector<std::array<TracePoint, 2>> segments;
+  TracePoint start, goal;
+};
+
+// One moment, recorded at every scan (20 Hz) and at the end.
+struct TraceFrame {
+  double t_s = 0;
+  double x_m = 0, y_m = 0, z_m = 0;
+  double vx_m_s = 0, vy_m_s = 0;
+  double heading_x = 1, heading_y = 0;
+  double tilt_rad = 0;
+  double clearance_m = 0;  // true, centre to surface
+  std::array<double, 4> actuators{};
+  double planning_time_us = 0;
+  double target_x_m = 0, target_y_m = 0;  // the setpoint
+  int mode = -1;                          // index into Trace::modes, -1: none
+  int plan = -1;                          // index into Trace::plans, -1: none
+  std::size_t known_points = 0;           // how many of Trace::known_points were known by then
+  std::vector<float> range_m;  // the scan taken now; empty: none. >= max range: no return
+};
+
+struct Trace {
+  std::string trial_id;
+  double body_radius_m = 0;
+  double clearance_min_m = 0;
+  double field_of_view_rad = 0;
+  double max_range_m = 0;
+  std::vector<std::string> modes;
+  std::vector<std::vector<TracePoint>> plans;  // in the order in which they were made
+  std::vector<TracePoint> known_points;        // in the order in which they became known
+  std::vector<std::uint32_t> cluster_of;       // label of each known point at the end
+  std::vector<std::vector<TracePoint>> hulls;  // of the clusters at the end
+  std::vector<TraceFrame> frames;
+};
+
+}  // namespace voronaut
