@@ -18,8 +18,10 @@ struct BeamFan {
   std::vector<Vec2> direction_sensor;
 
   // `rays` beams from -field_of_view_rad/2 to +field_of_view_rad/2, both included; a full circle
-  // (2 pi) leaves out the last one, which would repeat the first. rays >= 1, 0 <= field <= 2 pi.
+  // (2 pi) leaves out the last one, which would repeat the first. A single beam looks straight
+  // ahead. rays >= 1, 0 <= field <= 2 pi. O(rays).
   static BeamFan spread(double field_of_view_rad, std::size_t rays);
+  // No gap is wider than the spacing: the last beam is the right-hand neighbour of the first.
   bool full_circle() const;
 };
 
