@@ -35,6 +35,8 @@ class Path {
   // Straight pieces between consecutive points; repeated points are skipped.
   static Path through(const std::vector<Eigen::Vector2d>& points);
 
+  // Adds a piece that starts where the path ends (within 1e-6 m, else abort) and computes its
+  // length_m. A line of no length is skipped; an arc whose end is its start is the full circle.
   void append(const PathSegment& segment);
 
   bool empty() const { return segments_.empty(); }
