@@ -1,0 +1,32 @@
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+// A YAML document as a plain tree with line numbers: what ConfigNode walks over. Not for others.
+namespace voronaut {
+
+struct ConfigTree {
+  enum class Kind { nothing, scalar, list, map };
+
+  struct Entry {
+    std::string key;
+    int line = 0;  // of the key
+    std::shared_ptr<const ConfigTree> value;
+  };
+
+  Kind kind = Kind::nothing;
+  int line = 1;
+  std::string scalar;
+  bool quoted = false;  // scalar in quotes: always text, never a number
+  std::vector<std::shared_ptr<const ConfigTree>> items;
+  std::vector<Entry> entries;  // in the order of the file
+};
+
+// One YAML document; anchors and aliases are resolved. Throws ConfigError with the place for what
+// is not YAML, for a second document, for a key that is given twice or is not text, and for text
+// that is not UTF-8. `file` is what messages call it.
+std::shared_ptr<const ConfigTree> parse_yaml(const std::string& text, const std::string& file);
+
+}  // namespace voronaut
