@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <string_view>
 
 #include <ompl/base/PlannerTerminationCondition.h>
 #include <ompl/base/ProblemDefinition.h>
@@ -9,6 +10,7 @@
 
 #include "voronaut/environments/geometry.h"
 #include "voronaut/planners/belief.h"
+#include "voronaut/planners/known_geometry.h"
 
 // A planning problem over what is known: known obstacles (unknown counts as free), a start, a goal,
 // bounds and a clearance, as OMPL sees it.
@@ -43,17 +45,32 @@ class PlanningProblem {
   // clearance_min_m to a known point relaxes the clearance inside the disc around it, for every
   // planner alike; solutions of an earlier solve are dropped.
   void update(const Belief& belief, const Vec2& start_world);
+  // The same for a static problem: nobody is under way, planners see the whole of it at once.
+  void update(const ObstacleSnapshot& obstacles, const Vec2& start_world);
 
-  // Stops a solve when the budget is spent (counted from this call).
+  // Stops a solve when the budget is spent (counted from this call). Valid as long as the problem
+  // lives.
   ompl::base::PlannerTerminationCondition budget(const PlanningBudget& budget);
 
+  // Which part of the latest budget has run out: "state_checks", "ptc_evaluations", or empty if
+  // the solve ended by itself.
+  std::string_view budget_stop() const;
+
+  // What the checkers look at; for the executive, which asks the same exact questions.
+  const KnownGeometry& geometry() const;
+
   std::uint64_t state_checks() const;  // states and motions checked so far, over all solves
+  std::uint64_t budget_stops() const;  // solves that ended because their budget was spent
 
  private:
+  void pose_problem(const Vec2& start_world);
+
   ProblemConfig config_;
   ompl::base::SpaceInformationPtr si_;
   ompl::base::ProblemDefinitionPtr definition_;
   std::shared_ptr<BeliefValidityChecker> checker_;
+  struct Spending;
+  std::shared_ptr<Spending> spending_;
 };
 
 }  // namespace voronaut

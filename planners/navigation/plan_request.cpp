@@ -1,0 +1,50 @@
+#include "voronaut/planners/navigation/plan_request.h"
+
+#include <ompl/geometric/PathGeometric.h>
+
+#include "voronaut/planners/path_conversion.h"
+#include "voronaut/planners/planner_insight.h"
+
+namespace voronaut {
+namespace ob = ompl::base;
+
+namespace {
+
+PlanStatus status_of(const ob::PlannerStatus& solved, bool reactive,
+                     const PlannerInsight* insight) {
+  switch (static_cast<ob::PlannerStatus::StatusType>(solved)) {
+    case ob::PlannerStatus::EXACT_SOLUTION:
+      return PlanStatus::to_goal;
+    case ob::PlannerStatus::APPROXIMATE_SOLUTION:
+      return reactive ? PlanStatus::partial : PlanStatus::none;
+    case ob::PlannerStatus::INVALID_START:
+    case ob::PlannerStatus::INVALID_GOAL:
+    case ob::PlannerStatus::UNRECOGNIZED_GOAL_TYPE:
+      return PlanStatus::refused;
+    default:
+      return insight != nullptr && insight->proved_no_path() ? PlanStatus::infeasible
+                                                             : PlanStatus::none;
+  }
+}
+
+}  // namespace
+
+Plan ask_for_plan(ob::Planner& planner, const PlannerTraits& traits, PlanningProblem& problem,
+                  const PlanningBudget& budget) {
+  if (!traits.plans_on_every_scan) planner.clear();
+  planner.setProblemDefinition(problem.definition());
+  const ob::PlannerStatus solved = planner.solve(problem.budget(budget));
+  const auto* insight = dynamic_cast<const PlannerInsight*>(&planner);
+
+  Plan plan;
+  plan.status = status_of(solved, traits.plans_on_every_scan, insight);
+  if (insight != nullptr) plan.mode = insight->mode();
+  if (plan.status == PlanStatus::to_goal || plan.status == PlanStatus::partial) {
+    plan.path =
+        to_path(*problem.definition()->getSolutionPath()->as<ompl::geometric::PathGeometric>());
+    if (plan.path.empty()) plan.status = PlanStatus::none;
+  }
+  return plan;
+}
+
+}  // namespace voronaut
