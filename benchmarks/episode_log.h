@@ -62,6 +62,7 @@ struct EpisodeLog {
   std::vector<Path> plans;
   double departure_s = 0;  // when the vehicle had its height and set off
   std::int64_t replans = 0;
+  std::int64_t budget_stops = 0;  // solves that ended because their budget was spent
   Verdict verdict{Outcome::invalid, ""};
   double end_s = 0;
 

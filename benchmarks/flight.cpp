@@ -93,6 +93,7 @@ void Flight::plan(const VehicleState& state, double now_s) {
 
   Plan plan = ask_for_plan(*planner, planner_traits, problem, spec.budget);
   ++log.replans;
+  if (!problem.budget_stop().empty()) ++log.budget_stops;
   event.mode = index_of(log.modes, plan.mode);
   if (plan.status == PlanStatus::infeasible || plan.status == PlanStatus::refused) {
     referee.accept_infeasible(now_s, plan.status == PlanStatus::infeasible

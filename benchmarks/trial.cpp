@@ -83,7 +83,7 @@ TrialResult run_trial(const TrialSpec& spec, const PlannerCatalog& planners, boo
   result.record.replans = log.replans;
   result.record.modes = join(log.modes);
   result.record.state_checks = static_cast<std::int64_t>(flight.problem.state_checks());
-  result.record.budget_stops = static_cast<std::int64_t>(flight.problem.budget_stops());
+  result.record.budget_stops = log.budget_stops;
   result.record.map_points = static_cast<std::int64_t>(flight.belief.obstacles.points().size());
   result.record.map_obstacles = static_cast<std::int64_t>(flight.belief.obstacles.cluster_count());
   add_metrics(result.record, log, log.end_s);

@@ -60,7 +60,6 @@ class PlanningProblem {
   const KnownGeometry& geometry() const;
 
   std::uint64_t state_checks() const;  // states and motions checked so far, over all solves
-  std::uint64_t budget_stops() const;  // solves that ended because their budget was spent
 
  private:
   void pose_problem(const Vec2& start_world);

@@ -1,0 +1,15 @@
+# Every source as clang-format would write it: cmake -DSOURCE_DIR=... -DCLANG_FORMAT=... -P format.cmake
+set(sources "")
+foreach(folder environments dynamics planners benchmarks reports tests examples)
+  file(GLOB_RECURSE found "${SOURCE_DIR}/${folder}/*.h" "${SOURCE_DIR}/${folder}/*.cpp")
+  list(APPEND sources ${found})
+endforeach()
+execute_process(COMMAND "${CLANG_FORMAT}" --dry-run --Werror ${sources} RESULT_VARIABLE differs
+                ERROR_VARIABLE report)
+if(differs)
+  string(REGEX MATCHALL "[^\n]*error: code should be[^\n]*" lines "${report}")
+  list(TRANSFORM lines REPLACE ":[0-9]+:[0-9]+: error:.*" "")
+  list(REMOVE_DUPLICATES lines)
+  list(JOIN lines "\n  " text)
+  message(FATAL_ERROR "run clang-format -i on\n  ${text}")
+endif()
