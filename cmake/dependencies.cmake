@@ -11,10 +11,14 @@ find_package(yaml-cpp REQUIRED)
 find_package(nlohmann_json REQUIRED)
 find_package(CLI11 REQUIRED)
 
-# The exported package must be able to find these again: names here, not targets of this build.
+# Imported, so that the exported package names them only; this file is installed beside it and finds
+# them again on the consumer's machine.
 function(voronaut_system_library name)
   cmake_parse_arguments(ARG "" "" "INCLUDES;LIBRARIES" ${ARGN})
-  add_library(${name} INTERFACE)
+  if(TARGET ${name})
+    return()
+  endif()
+  add_library(${name} INTERFACE IMPORTED GLOBAL)
   target_include_directories(${name} SYSTEM INTERFACE ${ARG_INCLUDES})
   target_link_libraries(${name} INTERFACE ${ARG_LIBRARIES})
 endfunction()
@@ -35,8 +39,3 @@ find_path(VORONAUT_SLEEF_INCLUDE_DIR sleef.h REQUIRED)
 find_library(VORONAUT_SLEEF_LIBRARY sleef REQUIRED)
 voronaut_system_library(voronaut_sleef
   INCLUDES ${VORONAUT_SLEEF_INCLUDE_DIR} LIBRARIES ${VORONAUT_SLEEF_LIBRARY})
-
-find_program(CCACHE_PROGRAM ccache)
-if(CCACHE_PROGRAM AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
-  set(CMAKE_CXX_COMPILER_LAUNCHER ${CCACHE_PROGRAM})
-endif()
