@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <limits>
 #include <string>
@@ -20,6 +21,11 @@ enum class Outcome {
   crash,          // the planner ended the process: signal, abort, exception
   memory,         // the planner asked for more memory than allowed
 };
+
+inline constexpr std::array kOutcomes{
+    Outcome::goal_reached, Outcome::collision,  Outcome::out_of_bounds, Outcome::timeout,
+    Outcome::stuck,        Outcome::infeasible, Outcome::invalid,       Outcome::killed,
+    Outcome::crash,        Outcome::memory};
 
 std::string_view to_string(Outcome outcome);
 // Throws std::invalid_argument for an unknown name.
@@ -76,50 +82,61 @@ struct RunRecord {
   double cpu_time_s = kAbsent;
   double memory_max_mb = kAbsent;
 
-  // The one list of columns: v(name, member, kind), in the order of the table.
+  // The one list of columns: v(name, member, kind), in the order of the table. A member is a
+  // std::string, a std::int64_t, a double or an Outcome.
   template <class Visitor>
   void visit(Visitor&& v) {
+    visit_members(*this, v);
+  }
+  template <class Visitor>
+  void visit(Visitor&& v) const {
+    visit_members(*this, v);
+  }
+
+ private:
+  template <class Self, class Visitor>
+  static void visit_members(Self& self, Visitor& v) {
     const auto d = ColumnKind::deterministic;
     const auto m = ColumnKind::measured;
-    v("trial_id", trial_id, d);
-    v("suite", suite, d);
-    v("scenario", scenario, d);
-    v("scenario_group", scenario_group, d);
-    v("world_id", world_id, d);
-    v("vehicle", vehicle, d);
-    v("regulator", regulator, d);
-    v("planner", planner, d);
-    v("repetition", repetition, d);
-    v("seed", seed, d);
-    v("outcome", outcome, d);
-    v("reason", reason, d);
-    v("duration_s", duration_s, d);
-    v("path_length_m", path_length_m, d);
-    v("shortest_length_m", shortest_length_m, d);
-    v("shortest_at_clearance_m", shortest_at_clearance_m, d);
-    v("path_ratio", path_ratio, d);
-    v("spl", spl, d);
-    v("clearance_min_m", clearance_min_m, d);
-    v("clearance_mean_m", clearance_mean_m, d);
-    v("speed_mean_m_s", speed_mean_m_s, d);
-    v("speed_max_m_s", speed_max_m_s, d);
-    v("end_x_m", end_x_m, d);
-    v("end_y_m", end_y_m, d);
-    v("replans", replans, d);
-    v("state_checks", state_checks, d);
-    v("budget_stops", budget_stops, d);
-    v("map_points", map_points, d);
-    v("map_obstacles", map_obstacles, d);
-    v("modes", modes, d);
-    v("state_digest", state_digest, d);
-    v("mapping_time_us_mean", mapping_time_us_mean, m);
-    v("mapping_time_us_p99", mapping_time_us_p99, m);
-    v("planning_time_us_mean", planning_time_us_mean, m);
-    v("planning_time_us_p99", planning_time_us_p99, m);
-    v("step_time_us_mean", step_time_us_mean, m);
-    v("step_time_us_p99", step_time_us_p99, m);
-    v("cpu_time_s", cpu_time_s, m);
-    v("memory_max_mb", memory_max_mb, m);
+    v("trial_id", self.trial_id, d);
+    v("suite", self.suite, d);
+    v("scenario", self.scenario, d);
+    v("scenario_group", self.scenario_group, d);
+    v("world_id", self.world_id, d);
+    v("vehicle", self.vehicle, d);
+    v("regulator", self.regulator, d);
+    v("planner", self.planner, d);
+    v("repetition", self.repetition, d);
+    v("seed", self.seed, d);
+    v("outcome", self.outcome, d);
+    v("reason", self.reason, d);
+    v("duration_s", self.duration_s, d);
+    v("path_length_m", self.path_length_m, d);
+    v("shortest_length_m", self.shortest_length_m, d);
+    v("shortest_at_clearance_m", self.shortest_at_clearance_m, d);
+    v("path_ratio", self.path_ratio, d);
+    v("spl", self.spl, d);
+    v("clearance_min_m", self.clearance_min_m, d);
+    v("clearance_mean_m", self.clearance_mean_m, d);
+    v("speed_mean_m_s", self.speed_mean_m_s, d);
+    v("speed_max_m_s", self.speed_max_m_s, d);
+    v("end_x_m", self.end_x_m, d);
+    v("end_y_m", self.end_y_m, d);
+    v("replans", self.replans, d);
+    v("state_checks", self.state_checks, d);
+    v("budget_stops", self.budget_stops, d);
+    v("map_points", self.map_points, d);
+    v("map_obstacles", self.map_obstacles, d);
+    v("modes", self.modes, d);
+    v("state_digest", self.state_digest, d);
+    v("mapping_time_us_mean", self.mapping_time_us_mean, m);
+    v("mapping_time_us_p99", self.mapping_time_us_p99, m);
+    v("planning_time_us_mean", self.planning_time_us_mean, m);
+    v("planning_time_us_p99", self.planning_time_us_p99, m);
+    v("step_time_us_mean", self.step_time_us_mean, m);
+    v("step_time_us_p99", self.step_time_us_p99, m);
+    v("cpu_time_s", self.cpu_time_s, m);
+    v("memory_max_mb", self.memory_max_mb, m);
   }
 };
 

@@ -1,0 +1,10 @@
+#pragma once
+
+#include <string>
+
+namespace voronaut {
+
+// The shortest decimal text that reads back as the same double; empty for NaN, "inf" and "-inf".
+std::string number_text(double value);
+
+}  // namespace voronaut
