@@ -39,4 +39,10 @@ class PlannerCatalog {
   std::map<std::string, PlannerEntry> entries_;
 };
 
+// Sets a planner's parameters by their declared names, as text. "preset" is applied first, so that
+// the others refine it, whatever their order.
+// Throws std::invalid_argument: for an unknown name with the known ones and the nearest, for a
+// value that the parameter refuses with what it allows. Parameters set before that stay set.
+void set_parameters(ompl::base::Planner& planner, const std::map<std::string, std::string>& values);
+
 }  // namespace voronaut

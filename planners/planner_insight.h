@@ -5,8 +5,8 @@
 
 namespace voronaut {
 
-// What a planner may tell about its last solve beyond OMPL's status. The executive looks for it with
-// a dynamic_cast; a planner without it is simply not asked.
+// What a planner may tell about its last solve beyond OMPL's status. The executive looks for it
+// with a dynamic_cast; a planner without it is simply not asked.
 class PlannerInsight {
  public:
   virtual ~PlannerInsight() = default;
