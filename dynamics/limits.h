@@ -1,0 +1,23 @@
+#pragma once
+
+#include "voronaut/dynamics/stopping.h"
+
+namespace voronaut {
+
+// What a vehicle is allowed to do; its body may be able to do more.
+struct MotionLimits {
+  double max_speed_m_s = 2.5;         // horizontal
+  double max_acceleration_m_s2 = 3;   // horizontal
+  double max_yaw_rate_rad_s = 2;      //
+  double max_tilt_rad = 0.349065850;  // 20 deg; commanded, the vehicle overshoots it by about 1 deg
+
+  template <class Visitor>
+  void visit(Visitor& v) {
+    v.number("max_speed_m_s", max_speed_m_s, 0.01, 100);
+    v.number("max_acceleration_m_s2", max_acceleration_m_s2, 0.01, 1000);
+    v.number("max_yaw_rate_rad_s", max_yaw_rate_rad_s, 0, 100);
+    v.number("max_tilt_rad", max_tilt_rad, 0, 1.2);
+  }
+};
+
+}  // namespace voronaut
