@@ -60,7 +60,7 @@ Flight::Flight(const TrialSpec& trial, const PlannerCatalog& planners, bool keep
       planner_traits(planner_entry(trial, planners).traits),
       planner(make_planner(trial, planner_entry(trial, planners), problem)),
       replan_policy(trial.navigation, planner_traits),
-      tracker(trial.navigation, SpeedProfileConfig{}, trial.vehicle.limits.max_speed_m_s),
+      tracker(trial.navigation, SpeedProfile{}, trial.vehicle.limits.max_speed_m_s),
       gaze(trial.navigation.gaze, trial.scenario.start_heading),
       braking(braking_of(trial.vehicle)),
       referee(trial.scenario, trial.vehicle.body_radius_m, trial.shortest_length_m, trial.loop) {}

@@ -51,7 +51,7 @@ Aim PathTracker::aim(const Eigen::Vector2d& p_world, double speed_m_s,
   if (ends_at_goal_) {
     const double to_go_m = remaining_m() + distance_off_path_m_;
     aim.speed_limit_m_s =
-        std::min(aim.speed_limit_m_s, speed_m_s_at(goal_profile_, to_go_m, max_speed_m_s_));
+        std::min(aim.speed_limit_m_s, goal_profile_.speed_m_s(to_go_m, max_speed_m_s_));
   }
   return aim;
 }

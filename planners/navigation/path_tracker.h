@@ -18,7 +18,7 @@ struct Aim {
 // a waypoint radius instead, a hairpin is a limit cycle.
 class PathTracker {
  public:
-  PathTracker(const NavigationConfig& config, const SpeedProfileConfig& goal_profile,
+  PathTracker(const NavigationConfig& config, const SpeedProfile& goal_profile,
               double max_speed_m_s)
       : config_(config), goal_profile_(goal_profile), max_speed_m_s_(max_speed_m_s) {}
 
@@ -42,7 +42,7 @@ class PathTracker {
 
  private:
   NavigationConfig config_;
-  SpeedProfileConfig goal_profile_;
+  SpeedProfile goal_profile_;
   double max_speed_m_s_;
   Path path_;
   bool ends_at_goal_ = false;

@@ -1,0 +1,98 @@
+#include <gtest/gtest.h>
+
+#include "voronaut/planners/navigation/gaze.h"
+#include "voronaut/planners/navigation/path_tracker.h"
+#include "voronaut/planners/navigation/replan_policy.h"
+#include "voronaut/planners/navigation/speed_rule.h"
+
+namespace voronaut {
+namespace {
+
+constexpr double kMaxSpeed_m_s = 2.5;
+const ObstacleSnapshot kNothing;
+
+PathTracker tracker_on(const std::vector<Vec2>& points, bool ends_at_goal = true) {
+  PathTracker tracker({}, SpeedProfile{}, kMaxSpeed_m_s);
+  tracker.follow(Path::through(points), ends_at_goal);
+  return tracker;
+}
+
+TEST(PathTracker, AimsFurtherAheadTheFasterItGoes) {
+  PathTracker tracker = tracker_on({Vec2(0, 0), Vec2(10, 0)});
+  tracker.advance(Vec2(1, 0.2));
+  EXPECT_NEAR(tracker.aim(Vec2(1, 0.2), 0, kNothing, 0.4).p_target_world.x(), 1.25, 1e-12);
+  EXPECT_NEAR(tracker.aim(Vec2(1, 0.2), 2, kNothing, 0.4).p_target_world.x(), 1.95, 1e-12);
+  EXPECT_NEAR(tracker.distance_off_path_m(), 0.2, 1e-12);
+}
+
+TEST(PathTracker, StaysOnItsLegOfAHairpin) {
+  // The way back runs 0.1 m beside the way out: a tracker that projects on the whole path jumps.
+  PathTracker tracker = tracker_on({Vec2(0, 0), Vec2(5, 0), Vec2(5, 0.1), Vec2(0, 0.1)});
+  for (double x = 0; x <= 3; x += 0.02) tracker.advance(Vec2(x, 0.09));
+  EXPECT_NEAR(tracker.station_m(), 3, 0.03);
+}
+
+TEST(PathTracker, BrakesForTheGoalAndNotForTheEndOfALeg) {
+  PathTracker to_goal = tracker_on({Vec2(0, 0), Vec2(1, 0)}, true);
+  PathTracker leg = tracker_on({Vec2(0, 0), Vec2(1, 0)}, false);
+  EXPECT_LT(to_goal.aim(Vec2(0, 0), 0, kNothing, 0.4).speed_limit_m_s, 1.0);
+  EXPECT_DOUBLE_EQ(leg.aim(Vec2(0, 0), 0, kNothing, 0.4).speed_limit_m_s, kMaxSpeed_m_s);
+  EXPECT_TRUE(to_goal.aim(Vec2(0, 0), 2.5, kNothing, 0.4).at_goal);
+  EXPECT_FALSE(leg.aim(Vec2(0, 0), 2.5, kNothing, 0.4).at_goal);
+}
+
+TEST(PathTracker, SlowsDownBeforeASharpCorner) {
+  const Path bent = Path::through({Vec2(0, 0), Vec2(4, 0), Vec2(0, 0.1)});
+  const Path straight = Path::through({Vec2(0, 0), Vec2(4, 0), Vec2(8, 0)});
+  EXPECT_DOUBLE_EQ(corner_speed_limit_m_s(straight, 3.9, kMaxSpeed_m_s, 1), kMaxSpeed_m_s);
+  EXPECT_LT(corner_speed_limit_m_s(bent, 3.9, kMaxSpeed_m_s, 1), 0.6);
+  EXPECT_DOUBLE_EQ(corner_speed_limit_m_s(bent, 0, kMaxSpeed_m_s, 1), kMaxSpeed_m_s);
+}
+
+TEST(GazePolicy, FixedNeverTurnsAndAlongThePathLooksAMetreAhead) {
+  const PathTracker tracker = tracker_on({Vec2(0, 0), Vec2(0, 5)});
+  GazePolicy fixed(Gaze::fixed, Vec2(1, 0));
+  EXPECT_EQ(fixed.heading(tracker, Vec2(0, 0)), Vec2(1, 0));
+  GazePolicy along(Gaze::path, Vec2(1, 0));
+  EXPECT_NEAR((along.heading(tracker, Vec2(0, 0)) - Vec2(0, 1)).norm(), 0, 1e-12);
+}
+
+Scan clear_scan() {
+  Scan scan;
+  scan.beams = std::make_shared<BeamFan>(BeamFan::spread(1.5707963267948966, 91));
+  scan.max_range_m = 2.5;
+  scan.range_m.assign(91, 2.5);
+  return scan;
+}
+
+TEST(SpeedRule, UnlimitedIsTheVehiclesOwnLimit) {
+  const Scan scan = clear_scan();
+  const Belief belief{kNothing, &scan, {}, {}};
+  EXPECT_EQ(speed_limit_m_s(SpeedRule::unlimited, belief, Vec2(-1, 0), {}, 0.1, 2.5), 2.5);
+}
+
+TEST(SpeedRule, StopsWithinTheRangeAndCreepsWhereItCannotSee) {
+  const Scan scan = clear_scan();
+  const Belief belief{kNothing, &scan, {}, {}};
+  const Braking braking{1.786, 3.57, 0.4};
+  const auto rule = SpeedRule::stopping_distance;
+  EXPECT_EQ(speed_limit_m_s(rule, belief, Vec2(1, 0), braking, 0.06, 2.5), 2.5);
+  EXPECT_LT(speed_limit_m_s(rule, belief, Vec2(1, 0), braking, 1.0, 2.5), 2.0);
+  EXPECT_EQ(speed_limit_m_s(rule, belief, Vec2(0, 1), braking, 0.06, 2.5), kBlindSpeed_m_s);
+}
+
+TEST(SpeedRule, SlowsDownTowardsAKnownPoint) {
+  Scan scan = clear_scan();
+  scan.range_m[45] = 1.2;
+  ObstacleBase base({});
+  base.update(scan);
+  const Belief belief{base.snapshot(), &scan, {}, {}};
+  const Braking braking{1.786, 3.57, 0.4};
+  const double limit_m_s =
+      speed_limit_m_s(SpeedRule::stopping_distance, belief, Vec2(1, 0), braking, 0.06, 2.5);
+  // 0.8 m until the disc of 0.4 m touches the point: V/k + V t_r = 0.8.
+  EXPECT_NEAR(limit_m_s, 0.8 / (1 / 1.786 + 0.06), 0.1);
+}
+
+}  // namespace
+}  // namespace voronaut
