@@ -2,19 +2,16 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <memory>
-#include <optional>
 #include <span>
 #include <vector>
 
 #include "voronaut/environments/scan.h"
+#include "voronaut/planners/mapping/obstacle_snapshot.h"
+#include "voronaut/planners/mapping/scan_cluster.h"
 
 // The papers' base of cells: everything a range finder has shown so far, as thinned points that
 // belong to clusters.
 namespace voronaut {
-
-using PointId = std::uint32_t;
-using ClusterId = std::uint32_t;
 
 struct ObstacleBaseConfig {
   double link_distance_m = 0.5;       // returns of one scan closer than this are one cluster
@@ -36,58 +33,63 @@ struct UpdateReport {
   std::size_t points_added = 0;  // kept: new ground
   std::size_t clusters_in_scan = 0;
   std::size_t pairs_tested = 0;  // polygon pairs that passed the broad phase
-  std::size_t merges = 0;
+  std::size_t merges = 0;        // clusters that became part of an older one
 };
 
-// One cluster of the latest scan, its points in the order of their bearing (right to left).
-struct ScanCluster {
-  std::vector<Vec2> points_world;
-  bool cut_right =
-      false;  // begins at the right edge of the field of view: its true extreme is unseen
-  bool cut_left = false;  // ends at the left edge
-  ClusterId cluster = 0;  // the cluster of the base it belongs to now
-};
-
-class ObstacleBase;
-
-// A view of the base as it is now: (version, const view), valid until the next update; copying it
-// costs two words. freeze() makes one that lasts.
-class ObstacleSnapshot {
+// update() runs the papers' four stages on one scan:
+//
+// 1. Single linkage. Two returns belong to one cluster of the scan if they are closer than
+//    link_distance_m or a chain of such returns joins them (the papers' full search).
+// 2. Thinning. Each return, in the order of the beams, is represented by a stored point closer than
+//    thinning_distance_m: the representative of the return before it if that is close enough, else
+//    the nearest one (the earliest stored of equals). Only if there is none the return itself is
+//    stored. So no two stored points are closer than thinning_distance_m, every return ever seen
+//    has a stored point closer than that, and neither depends on clusters.
+// 3. Joining. A cluster of the scan and the known clusters of its representatives have these points
+//    in common, so they are one cluster: known members first (older clusters first), then the new
+//    points in the order of their bearing. A cluster that shares no point with the base is a new
+//    one.
+// 4. Merging. Two clusters become one if their polygons (convex hulls) have a common point, or else
+//    if one of the extreme points of the one is closer than merge_distance_m to one of the other;
+//    extreme are the first and the last stored member, as the papers have it. All pairs are
+//    asked at once, all that are connected merge at once (members of older clusters first, under
+//    the oldest id), and again until no pair is left to merge. Thus the result depends on no order
+//    of examination, and only pairs of which one changed in this update need to be asked.
+class ObstacleBase {
  public:
-  ObstacleSnapshot() = default;  // an empty base, version 0
+  // Throws std::invalid_argument if a distance is not a positive finite number (merging: >= 0).
+  explicit ObstacleBase(const ObstacleBaseConfig& config);
 
-  std::uint64_t version() const;  // grows by one with each update that added a point or merged
+  // The scan's ranges and beams must be equally many. The report is valid until the next update.
+  const UpdateReport& update(const Scan& scan);
 
-  // Member points in the order in which they became known. Points never move or vanish.
-  std::span<const Vec2> points() const;
-  // Points that became known after `version` (a version seen earlier from the same base).
-  std::span<const Vec2> points_since(std::uint64_t version) const;
-
-  // Clusters are labels: they say what belongs together, member points alone decide clearance.
-  std::size_t cluster_count() const;
-  std::vector<ClusterId> clusters() const;  // living ones, ascending. O(clusters)
-  ClusterId cluster_of(PointId id) const;
-  std::vector<PointId> members(ClusterId id) const;  // in stored order. O(members)
-  PointId first_stored(ClusterId id) const;          // of the members in stored order
-  PointId last_stored(ClusterId id) const;
-  std::span<const Vec2> hull(ClusterId id) const;  // convex, counter-clockwise; 1 or 2 points too
-
-  // Closest member point not farther than within_m. O(cells in reach).
-  std::optional<PointId> nearest(const Vec2& p, double within_m) const;
-  // True if no member point is closer than radius_m to p / to the segment a-b (a swept disc,
-  // exact).
-  bool disc_is_clear(const Vec2& p, double radius_m) const;
-  bool swept_disc_is_clear(const Vec2& a, const Vec2& b, double radius_m) const;
-  // Smallest distance from the segment a-b to a member point, capped at within_m.
-  double segment_clearance_m(const Vec2& a, const Vec2& b, double within_m) const;
-
-  // A copy that outlives updates, for logs.
-  std::shared_ptr<const ObstacleBase> freeze() const;
+  ObstacleSnapshot snapshot() const { return {this, version()}; }
+  // Of the latest scan, in the order of their first beams; valid until the next update.
+  std::span<const ScanCluster> scan_clusters() const { return scan_clusters_; }
+  const UpdateReport& report() const { return report_; }
+  const ObstacleBaseConfig& config() const { return config_; }
 
  private:
-  friend class ObstacleBase;
-  explicit ObstacleSnapshot(const ObstacleBase* base) : base_(base) {}
-  const ObstacleBase* base_ = nullptr;
+  friend class ObstacleSnapshot;
+
+  struct Cluster {
+    std::vector<PointId> members;  // in stored order; empty once merged into another
+    std::vector<Vec2> hull;
+  };
+
+  std::uint64_t version() const { return points_at_version_.size() - 1; }
+  std::size_t represent(const Vec2& p, std::size_t previous);
+  bool related(const Cluster& a, const Cluster& b);
+  bool merge_round();
+  void absorb(ClusterId into, ClusterId from);
+
+  ObstacleBaseConfig config_;
+  UpdateReport report_;
+  std::vector<ScanCluster> scan_clusters_;
+  std::vector<Vec2> points_;
+  std::vector<ClusterId> label_;  // of each point
+  std::vector<Cluster> clusters_;
+  std::vector<std::uint32_t> points_at_version_{0};
 };
 
 }  // namespace voronaut

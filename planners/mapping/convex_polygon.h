@@ -1,0 +1,28 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "voronaut/environments/geometry.h"
+
+// Convex polygons of any number of vertices >= 1: a point, a segment, or strictly convex,
+// counter-clockwise. All answers are exact for the given coordinates.
+namespace voronaut {
+
+// Replaces `points` by the vertices of their convex hull, from the lexicographically smallest.
+// O(n log n).
+void reduce_to_convex_hull(std::vector<Vec2>& points);
+
+Bounds bounding_box(std::span<const Vec2> points);
+
+// Both boxes are closed: a common edge or corner counts.
+inline bool boxes_touch(const Bounds& a, const Bounds& b) {
+  return a.min.x() <= b.max.x() && b.min.x() <= a.max.x() && a.min.y() <= b.max.y() &&
+         b.min.y() <= a.max.y();
+}
+
+// True if the two have at least one point in common, their boundaries included (what Boost.Geometry
+// calls intersects). O(n m), by a separating edge.
+bool convex_polygons_touch(std::span<const Vec2> a, std::span<const Vec2> b);
+
+}  // namespace voronaut

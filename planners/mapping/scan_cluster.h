@@ -1,0 +1,26 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "voronaut/environments/geometry.h"
+
+namespace voronaut {
+
+using PointId = std::uint32_t;
+using ClusterId = std::uint32_t;
+
+// One cluster of the latest scan, its points in the order of their bearing (right to left). The
+// points are returns of this scan, known ones included, thinned along the scan: a return closer
+// than the thinning distance to the one listed before it in the scan is left out. Where the fan is
+// a full circle there is no rightmost beam: a cluster then begins behind its widest gap in bearing.
+struct ScanCluster {
+  std::vector<Vec2> points_world;
+  // Begins at the right edge of the field of view (at the first beam that measured): its true
+  // extreme is unseen. Never in a full circle.
+  bool cut_right = false;
+  bool cut_left = false;  // ends at the left edge
+  ClusterId cluster = 0;  // the cluster of the base it belongs to now
+};
+
+}  // namespace voronaut
