@@ -1,0 +1,20 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "voronaut/reports/run_record.h"
+
+namespace voronaut {
+
+// A field as RFC 4180 wants it: in quotes, quotes doubled, if it holds a comma, a quote or a line
+// break.
+std::string csv_field(std::string_view text);
+
+// One header line with the names of RunRecord::visit, then one line per record, in the given order.
+// Lines end in CRLF (RFC 4180), numbers are the shortest text that reads back as the same double,
+// absent numbers are empty.
+std::string records_to_csv(const std::vector<RunRecord>& records);
+
+}  // namespace voronaut
