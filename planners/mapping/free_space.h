@@ -18,9 +18,9 @@ struct FreeSpaceConfig {
 
 // What beams have proved empty, as square cells over the mission's bounds. A cell is known free if
 // one scan saw all of it: it lies wholly within the star of that scan, the union of the triangles
-// between neighbouring beams, each as long as the shorter of its two beams. So an obstacle counts as
-// seen if at least one beam hits it: what is thinner than the spacing of the beams at its distance
-// can hide in a triangle.
+// between neighbouring beams, each as long as the shorter of its two beams. So an obstacle counts
+// as seen if at least one beam hits it: what is thinner than the spacing of the beams at its
+// distance can hide in a triangle.
 //
 // Space once proved free stays so (static worlds). Cells outside the bounds are never free.
 // Memory: one bit per cell of the bounds.
@@ -39,37 +39,38 @@ class FreeSpace {
   // True if every cell that the disc of radius_m, swept from a to b, touches is known free.
   // O(rows it touches).
   bool swept_disc_is_free(const Vec2& a, const Vec2& b, double radius_m) const;
-  // The same for a disc that grows linearly from radius_a to radius_b on its way.
-  bool cone_is_free(const Vec2& a, const Vec2& b, double radius_a_m, double radius_b_m) const;
 
   double cell_m() const { return cell_m_; }
   std::size_t free_cells() const;
 
  private:
-  struct Crossing {
-    int row;
-    float column;  // in cells, where the outline crosses the middle of the row
+  // Bitmaps of the part of the grid around one star: whole words, rows first_row.. .
+  struct Window {
+    int first_row = 0, rows = 0;
+    int first_word = 0, words = 0;
+    std::vector<std::uint64_t> parity;   // flipped where the outline crosses the middle of a row
+    std::vector<std::uint64_t> touched;  // cells that the outline runs through
+    std::uint64_t* row(std::vector<std::uint64_t>& bits, int r) {
+      return bits.data() + static_cast<std::size_t>((r - first_row) * words);
+    }
   };
 
-  void build_outline(const Scan& scan);
-  void block_outline_cells();
-  void collect_crossings();
-  void fill_rows();
-  bool row_is_free(int row, double x_from, double x_to) const;
+  Vec2 to_cells(const Vec2& p_world) const { return (p_world - origin_) / cell_m_; }
+  void trace_star(const Scan& scan);
+  bool open_window();
+  void draw_edge(Vec2 a, Vec2 b);
+  void commit_window();
+  bool row_is_free(int row, double column_from, double column_to) const;
 
   double cell_m_;
   Vec2 origin_;
-  int columns_ = 0;
-  int rows_ = 0;
-  std::size_t words_per_row_ = 0;
+  int columns_;
+  int rows_;
+  int words_per_row_;
   std::vector<std::uint64_t> free_;
 
-  // Scratch of one update, in cell units.
-  std::vector<Vec2> outline_;
-  std::vector<Crossing> crossings_;
-  std::vector<std::uint64_t> blocked_;  // cells that the outline touches
-  int first_row_ = 0;
-  int last_row_ = -1;
+  std::vector<Vec2> outline_;  // of the star, in cells; scratch
+  Window window_;              // scratch
 };
 
 }  // namespace voronaut

@@ -1,0 +1,246 @@
+#include "voronaut/planners/mapping/free_space.h"
+
+#include <algorithm>
+#include <bit>
+#include <cassert>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+
+namespace voronaut {
+
+namespace {
+
+constexpr int kWordBits = 64;
+
+std::uint64_t bits_from(int column) { return ~0ULL << (column % kWordBits); }
+std::uint64_t bits_to(int column) {  // up to and including
+  return ~0ULL >> (kWordBits - 1 - column % kWordBits);
+}
+
+// Sets the columns [from, to] of a row that starts at column 64 * first_word.
+void set_columns(std::uint64_t* row, int first_word, int from, int to) {
+  const int first = from / kWordBits, last = to / kWordBits;
+  if (first == last) {
+    row[first - first_word] |= bits_from(from) & bits_to(to);
+    return;
+  }
+  row[first - first_word] |= bits_from(from);
+  for (int w = first + 1; w < last; ++w) row[w - first_word] = ~0ULL;
+  row[last - first_word] |= bits_to(to);
+}
+
+// Bit i of the result is the parity of bits 0..i.
+std::uint64_t running_parity(std::uint64_t bits) {
+  for (int shift = 1; shift < kWordBits; shift *= 2) bits ^= bits << shift;
+  return bits;
+}
+
+// How far a beam has shown empty. The surface between two beams may stand out towards the sensor: a
+// right-angled corner by half their spacing.
+double free_length_m(const Scan& scan, std::size_t i, double half_spacing_rad) {
+  const double range_m = scan.range_m[i];
+  if (range_m == scan.max_range_m) return range_m;
+  return scan.is_return(i) ? range_m * (1 - half_spacing_rad) : 0;
+}
+
+}  // namespace
+
+FreeSpace::FreeSpace(const Bounds& bounds_world, const FreeSpaceConfig& config)
+    : cell_m_(config.cell_m), origin_(bounds_world.min) {
+  const Vec2 size = (bounds_world.max - bounds_world.min) / cell_m_;
+  constexpr double kMaxSide = 100'000;
+  if (!(size.minCoeff() > 0) || size.maxCoeff() > kMaxSide) {
+    throw std::invalid_argument("FreeSpace: bounds must have between 1 and 100000 cells a side");
+  }
+  columns_ = static_cast<int>(std::ceil(size.x()));
+  rows_ = static_cast<int>(std::ceil(size.y()));
+  words_per_row_ = (columns_ + kWordBits - 1) / kWordBits;
+  free_.assign(static_cast<std::size_t>(words_per_row_) * static_cast<std::size_t>(rows_), 0);
+}
+
+void FreeSpace::update(const Scan& scan) {
+  if (scan.size() < 2) return;
+  trace_star(scan);
+  if (!open_window()) return;
+  for (std::size_t i = 0; i < outline_.size(); ++i) {
+    draw_edge(outline_[i], outline_[i + 1 < outline_.size() ? i + 1 : 0]);
+  }
+  commit_window();
+}
+
+void FreeSpace::trace_star(const Scan& scan) {
+  outline_.clear();
+  const bool full = scan.beams->full_circle();
+  const Vec2 sensor = to_cells(scan.sensor_world.p_world);
+  const double half_spacing_rad = 0.5 * scan.beams->bearing_step_rad;
+  const std::size_t n = scan.size();
+  const std::size_t triangles = full ? n : n - 1;
+  if (!full) outline_.push_back(sensor);
+
+  double length_m = free_length_m(scan, 0, half_spacing_rad);
+  Vec2 direction = scan.direction_world(0) / cell_m_;
+  for (std::size_t i = 0; i < triangles; ++i) {
+    const std::size_t next = i + 1 < n ? i + 1 : 0;
+    const double next_length_m = free_length_m(scan, next, half_spacing_rad);
+    const Vec2 next_direction = scan.direction_world(next) / cell_m_;
+    const double both_m = std::min(length_m, next_length_m);
+    outline_.push_back(sensor + both_m * direction);
+    outline_.push_back(sensor + both_m * next_direction);
+    length_m = next_length_m;
+    direction = next_direction;
+  }
+}
+
+bool FreeSpace::open_window() {
+  Vec2 low = outline_.front(), high = outline_.front();
+  for (const Vec2& p : outline_) {
+    low = low.cwiseMin(p);
+    high = high.cwiseMax(p);
+  }
+  // Rows may be cut off by the bounds; columns are kept whole, or parity would be lost.
+  window_.first_row = std::max(0, static_cast<int>(std::floor(low.y())));
+  window_.rows =
+      std::min(rows_ - 1, static_cast<int>(std::floor(high.y()))) - window_.first_row + 1;
+  const auto word_of = [](double column) {
+    return static_cast<int>(std::floor(column / kWordBits));
+  };
+  window_.first_word = word_of(low.x());
+  window_.words = word_of(high.x() + 1) - window_.first_word + 1;
+  if (window_.rows <= 0) return false;
+  const auto size =
+      static_cast<std::size_t>(window_.rows) * static_cast<std::size_t>(window_.words);
+  window_.parity.assign(size, 0);
+  window_.touched.assign(size, 0);
+  return true;
+}
+
+void FreeSpace::draw_edge(Vec2 a, Vec2 b) {
+  if (a.y() > b.y()) std::swap(a, b);
+  const int first = std::max(static_cast<int>(std::floor(a.y())), window_.first_row);
+  const int last =
+      std::min(static_cast<int>(std::floor(b.y())), window_.first_row + window_.rows - 1);
+  const double height = b.y() - a.y();
+  const double slope = height > 0 ? (b.x() - a.x()) / height : 0;
+  const int shift = window_.first_word * kWordBits;  // columns may be negative outside the bounds
+  for (int row = first; row <= last; ++row) {
+    const double y_low = std::max<double>(row, a.y());
+    const double y_high = std::min<double>(row + 1, b.y());
+    double x_low = height > 0 ? a.x() + (y_low - a.y()) * slope : a.x();
+    double x_high = height > 0 ? a.x() + (y_high - a.y()) * slope : b.x();
+    if (x_low > x_high) std::swap(x_low, x_high);
+    set_columns(window_.row(window_.touched, row), 0, static_cast<int>(std::floor(x_low)) - shift,
+                static_cast<int>(std::floor(x_high)) - shift);
+    const double middle = row + 0.5;
+    if (a.y() <= middle && middle < b.y()) {
+      const double x = a.x() + (middle - a.y()) * slope;
+      const int column =
+          static_cast<int>(std::ceil(x - 0.5)) - shift;  // first centre not left of it
+      window_.row(window_.parity, row)[column / kWordBits] ^= 1ULL << (column % kWordBits);
+    }
+  }
+}
+
+void FreeSpace::commit_window() {
+  for (int row = window_.first_row; row < window_.first_row + window_.rows; ++row) {
+    const std::uint64_t* parity = window_.row(window_.parity, row);
+    const std::uint64_t* touched = window_.row(window_.touched, row);
+    std::uint64_t* known = free_.data() + static_cast<std::size_t>(row) * words_per_row_;
+    std::uint64_t carry = 0;  // all ones while inside
+    for (int w = 0; w < window_.words; ++w) {
+      const std::uint64_t inside = running_parity(parity[w]) ^ carry;
+      carry = inside >> (kWordBits - 1) ? ~0ULL : 0;
+      const int word = window_.first_word + w;
+      if (word < 0 || word >= words_per_row_) continue;
+      std::uint64_t seen = inside & ~touched[w];
+      if (word == words_per_row_ - 1) seen &= bits_to(columns_ - 1);
+      known[word] |= seen;
+    }
+  }
+}
+
+void FreeSpace::mark_disc(const Vec2& p_world, double radius_m) {
+  const Vec2 center = to_cells(p_world);
+  const double radius = radius_m / cell_m_;
+  const int first = std::max(0, static_cast<int>(std::floor(center.y() - radius)));
+  const int last = std::min(rows_ - 1, static_cast<int>(std::floor(center.y() + radius)));
+  for (int row = first; row <= last; ++row) {
+    const double away = std::max({0.0, row - center.y(), center.y() - (row + 1)});
+    const double half = std::sqrt(std::max(0.0, radius * radius - away * away));
+    const int from = std::max(0, static_cast<int>(std::floor(center.x() - half)));
+    const int to = std::min(columns_ - 1, static_cast<int>(std::floor(center.x() + half)));
+    if (from <= to) {
+      set_columns(free_.data() + static_cast<std::size_t>(row) * words_per_row_, 0, from, to);
+    }
+  }
+}
+
+bool FreeSpace::is_free(const Vec2& p_world) const {
+  const Vec2 cell = to_cells(p_world);
+  if (cell.y() < 0 || cell.y() >= rows_) return false;
+  return row_is_free(static_cast<int>(cell.y()), cell.x(), cell.x());
+}
+
+bool FreeSpace::row_is_free(int row, double column_from, double column_to) const {
+  if (row < 0 || row >= rows_ || column_from < 0 || column_to >= columns_) return false;
+  const int from = static_cast<int>(column_from), to = static_cast<int>(column_to);
+  const std::uint64_t* known = free_.data() + static_cast<std::size_t>(row) * words_per_row_;
+  const int first = from / kWordBits, last = to / kWordBits;
+  for (int w = first; w <= last; ++w) {
+    std::uint64_t wanted = ~0ULL;
+    if (w == first) wanted &= bits_from(from);
+    if (w == last) wanted &= bits_to(to);
+    if ((known[w] & wanted) != wanted) return false;
+  }
+  return true;
+}
+
+bool FreeSpace::swept_disc_is_free(const Vec2& a_world, const Vec2& b_world,
+                                   double radius_m) const {
+  const Vec2 a = to_cells(a_world), b = to_cells(b_world);
+  const double radius = radius_m / cell_m_;
+  const Vec2 along = b - a;
+  const double length = along.norm();
+  const Vec2 side = length > 0 ? Vec2(left_of(along) * (radius / length)) : Vec2(0, 0);
+  const Segment sides[2] = {{a - side, b - side}, {a + side, b + side}};
+
+  const int first = static_cast<int>(std::floor(std::min(a.y(), b.y()) - radius));
+  const int last = static_cast<int>(std::floor(std::max(a.y(), b.y()) + radius));
+  for (int row = first; row <= last; ++row) {
+    double from = std::numeric_limits<double>::infinity(), to = -from;
+    const auto widen = [&](double low, double high) {
+      from = std::min(from, low);
+      to = std::max(to, high);
+    };
+    // The swept disc is the convex hull of its two ends and its two sides; so is its extent in a
+    // row.
+    for (const Vec2& end : {a, b}) {
+      const double away = std::max({0.0, row - end.y(), end.y() - (row + 1)});
+      if (away > radius) continue;
+      const double half = std::sqrt(radius * radius - away * away);
+      widen(end.x() - half, end.x() + half);
+    }
+    for (const Segment& s : sides) {
+      const bool rising = s.a.y() <= s.b.y();
+      const Vec2& low = rising ? s.a : s.b;
+      const Vec2& high = rising ? s.b : s.a;
+      if (high.y() < row || low.y() > row + 1) continue;
+      const double height = high.y() - low.y();
+      const double slope = height > 0 ? (high.x() - low.x()) / height : 0;
+      const double x_low = low.x() + (std::max<double>(row, low.y()) - low.y()) * slope;
+      const double x_high =
+          height > 0 ? low.x() + (std::min<double>(row + 1, high.y()) - low.y()) * slope : high.x();
+      widen(std::min(x_low, x_high), std::max(x_low, x_high));
+    }
+    if (from <= to && !row_is_free(row, from, to)) return false;
+  }
+  return true;
+}
+
+std::size_t FreeSpace::free_cells() const {
+  std::size_t count = 0;
+  for (const std::uint64_t word : free_) count += static_cast<std::size_t>(std::popcount(word));
+  return count;
+}
+
+}  // namespace voronaut
