@@ -1,0 +1,150 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "voronaut/environments/shapes.h"
+
+namespace voronaut {
+
+// Shapes in a uniform cell list, so that a question about one place costs what lies there and not
+// what the world holds. Keeps its own copy of the shapes; immutable, safe to share.
+//
+// Circles and edges are the primitives: edges are the segments, in order, then the edges of the
+// polygons. A primitive is listed in every cell that it (or the box around a circle) touches.
+class ShapeIndex {
+ public:
+  ShapeIndex() = default;  // no shapes
+  // Expects validated shapes. cell_m = 0 lets the density of primitives choose. O(shapes + cells),
+  // and there are at most 4 cells per primitive plus a constant.
+  explicit ShapeIndex(const Shapes& shapes, double cell_m = 0);
+
+  std::span<const Circle> circles() const { return circles_; }
+  std::span<const Segment> edges() const { return edges_; }
+
+  // min(within_m, distance from p to the nearest shape), negative inside solids as clearance_m of
+  // shapes.h defines it. O(primitives in reach).
+  double clearance_m(const Vec2& p,
+                     double within_m = std::numeric_limits<double>::infinity()) const;
+  // Whether p lies strictly inside a solid.
+  bool is_inside_solid(const Vec2& p) const;
+  // Whether a disc moved from a to b stays at least radius_m > 0 from every shape: exact, no steps;
+  // contact at exactly radius_m is clear. O(primitives within reach of the cells it sweeps).
+  bool segment_is_clear(const Vec2& a, const Vec2& b, double radius_m) const;
+
+  // Calls circle(index) and edge(index) for every primitive that may reach into `area`; seldom one
+  // comes twice.
+  template <class OnCircle, class OnEdge>
+  void visit(const Bounds& area, OnCircle&& circle, OnEdge&& edge) const;
+
+  // Walks the cells along the ray p + t direction, 0 <= t <= range_m, and calls circle(index) and
+  // edge(index) for what they list (a primitive once per cell). done(t) is asked at the end of each
+  // cell, t being where the ray leaves it: true ends the walk. `direction` is a unit vector.
+  template <class OnCircle, class OnEdge, class Done>
+  void walk(const Vec2& p, const Vec2& direction, double range_m, OnCircle&& circle, OnEdge&& edge,
+            Done&& done) const;
+
+ private:
+  struct CellRange {
+    int x0, y0, x1, y1;  // inclusive; empty if x0 > x1
+  };
+  struct Solid {  // a polygon as a run of edges
+    std::uint32_t first_edge, last_edge;
+  };
+  // What each cell lists, cell after cell in one array.
+  struct CellLists {
+    std::vector<std::uint32_t> start;  // cells + 1
+    std::vector<std::uint32_t> entry;
+  };
+
+  int column(double x) const;
+  int row(double y) const;
+  CellRange cells_in(const Bounds& area) const;
+  std::size_t cell(int x, int y) const {
+    return static_cast<std::size_t>(y) * static_cast<std::size_t>(columns_) +
+           static_cast<std::size_t>(x);
+  }
+
+  // Where a ray is on its way through the cells: Amanatides and Woo, "A Fast Voxel Traversal
+  // Algorithm for Ray Tracing", Eurographics 1987.
+  struct CellWalk {
+    CellWalk(const ShapeIndex& index, const Vec2& p, const Vec2& direction, double range_m);
+    bool inside() const { return x != end_x && y != end_y && entered_m <= range_m; }
+    double leave_m() const { return std::min(next_x_m, next_y_m); }
+    void advance();
+
+    int x = 0, y = 0, step_x = 1, step_y = 1;
+    int end_x = 0, end_y = 0;               // first column and row past the grid
+    double next_x_m = 0, next_y_m = 0;      // where the ray leaves the column, the row
+    double across_x_m = 0, across_y_m = 0;  // ray length per column, row
+    double entered_m = 0;                   // where it entered the cell it is in
+    double range_m = 0;
+  };
+
+  void lay_out_cells(double cell_m);
+  // Calls cells(y, x0, x1) for the row pieces within pad_m of the segment, until it returns false.
+  template <class OnCells>
+  bool for_cells_near(const Segment& s, double pad_m, OnCells&& cells) const;
+  double solid_distance(const Solid& solid, const Vec2& p) const;
+  double nearest_in_cell(std::size_t cell, const Vec2& p) const;
+
+  std::vector<Circle> circles_;
+  std::vector<Segment> edges_;
+  std::vector<Solid> solids_;
+  Vec2 origin_ = Vec2::Zero();
+  double cell_m_ = 1;
+  double cells_per_m_ = 1;
+  int columns_ = 0;
+  int rows_ = 0;
+  CellLists primitives_;  // circle i is i, edge i is circles + i
+  CellLists solids_at_;   // polygons whose bounding box touches the cell
+};
+
+template <class OnCircle, class OnEdge>
+void ShapeIndex::visit(const Bounds& area, OnCircle&& circle, OnEdge&& edge) const {
+  std::array<std::uint32_t, 64> recent;
+  recent.fill(std::numeric_limits<std::uint32_t>::max());
+  const auto circle_count = static_cast<std::uint32_t>(circles_.size());
+  const CellRange range = cells_in(area);
+  if (range.x0 > range.x1) return;
+  for (int y = range.y0; y <= range.y1; ++y) {
+    // The cells of a row are neighbours in the lists too.
+    const std::uint32_t end = primitives_.start[cell(range.x1, y) + 1];
+    for (std::uint32_t k = primitives_.start[cell(range.x0, y)]; k < end; ++k) {
+      const std::uint32_t id = primitives_.entry[k];
+      if (std::exchange(recent[id % recent.size()], id) == id) continue;
+      if (id < circle_count) {
+        circle(id);
+      } else {
+        edge(id - circle_count);
+      }
+    }
+  }
+}
+
+template <class OnCircle, class OnEdge, class Done>
+void ShapeIndex::walk(const Vec2& p, const Vec2& direction, double range_m, OnCircle&& circle,
+                      OnEdge&& edge, Done&& done) const {
+  CellWalk at(*this, p, direction, range_m);
+  const auto circle_count = static_cast<std::uint32_t>(circles_.size());
+  while (at.inside()) {
+    const std::size_t here = cell(at.x, at.y);
+    for (std::uint32_t k = primitives_.start[here]; k < primitives_.start[here + 1]; ++k) {
+      const std::uint32_t id = primitives_.entry[k];
+      if (id < circle_count) {
+        circle(id);
+      } else {
+        edge(id - circle_count);
+      }
+    }
+    if (done(at.leave_m())) return;
+    at.advance();
+  }
+}
+
+}  // namespace voronaut

@@ -1,0 +1,34 @@
+#pragma once
+
+#include "voronaut/environments/shape_index.h"
+#include "voronaut/environments/shapes.h"
+
+namespace voronaut {
+
+// The ground truth: obstacles within bounds. Never changes, so any number of trials may share one
+// behind a shared_ptr. The bounds are no walls: sensors do not see them, but a vehicle that leaves
+// them has failed.
+class World {
+ public:
+  // Throws std::invalid_argument on bounds that are not finite or have no area, and as validated()
+  // does. Shapes may reach across the bounds. O(shapes).
+  World(const Bounds& bounds, Shapes shapes);
+
+  const Bounds& bounds() const { return bounds_; }
+  const Shapes& shapes() const { return shapes_; }
+  const ShapeIndex& index() const { return index_; }
+
+  // Distance from p to the nearest shape, negative inside solids, +infinity in an empty world.
+  double clearance_m(const Vec2& p) const { return index_.clearance_m(p); }
+  // Whether a disc of radius_m > 0 can move from a to b; touching is allowed. Bounds not asked.
+  bool segment_is_clear(const Vec2& a, const Vec2& b, double radius_m) const {
+    return index_.segment_is_clear(a, b, radius_m);
+  }
+
+ private:
+  Bounds bounds_;
+  Shapes shapes_;
+  ShapeIndex index_;
+};
+
+}  // namespace voronaut
