@@ -123,6 +123,12 @@ TEST(FreeSpace, SweptDiscIsFreeExactlyIfEveryCellItTouchesIs) {
         for (int column = -80; column < 80; ++column) {
           // Distance from the cell to the segment: its closest point by fine sampling of the edge.
           const Vec2 low(column * cell_m, row * cell_m);
+          const Vec2 center = low + Vec2(0.5, 0.5) * cell_m;
+          if (std::abs(distance(center, Segment{a, b}) - radius_m) > cell_m) {
+            if (distance(center, Segment{a, b}) < radius_m && !space.is_free(center))
+              all_free = false;
+            continue;
+          }
           double nearest_m = 1e9;
           for (int k = 0; k <= 200; ++k) {
             const Vec2 q = a + (b - a) * (k / 200.0);
@@ -131,7 +137,7 @@ TEST(FreeSpace, SweptDiscIsFreeExactlyIfEveryCellItTouchesIs) {
           }
           if (std::abs(nearest_m - radius_m) < 2e-4) close_call = true;
           const bool touched = nearest_m <= radius_m;
-          if (touched && !space.is_free(low + Vec2(0.5, 0.5) * cell_m)) all_free = false;
+          if (touched && !space.is_free(center)) all_free = false;
         }
       }
       if (close_call) continue;
