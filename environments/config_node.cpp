@@ -58,12 +58,16 @@ std::optional<double> parse_number(std::string_view text) {
 }
 
 std::string number_text(double value) {
+  if (value == 0) return "0";
+  const double size = std::abs(value);
+  const auto format =
+      size >= 1e-4 && size < 1e15 ? std::chars_format::fixed : std::chars_format::scientific;
   char text[32];
-  const auto result = std::to_chars(text, text + sizeof text, value == 0 ? 0.0 : value);
+  const auto result = std::to_chars(text, text + sizeof text, value, format);
   return {text, result.ptr};
 }
 
-ConfigNode ConfigNode::read_file(const std::string& path) {
+std::string read_text_file(const std::string& path) {
   std::error_code ignored;
   if (std::filesystem::is_directory(path, ignored))
     throw ConfigError(path, 0, "", "cannot be read (is a folder)");
@@ -73,7 +77,12 @@ ConfigNode ConfigNode::read_file(const std::string& path) {
     throw ConfigError(path, 0, "", "cannot be read (" + std::string(std::strerror(errno)) + ")");
   std::ostringstream text;
   text << stream.rdbuf();
-  return parse(text.str(), path);
+  require_utf8(text.str(), path);
+  return text.str();
+}
+
+ConfigNode ConfigNode::read_file(const std::string& path) {
+  return parse(read_text_file(path), path);
 }
 
 ConfigNode ConfigNode::parse(const std::string& text, const std::string& file) {
@@ -149,11 +158,11 @@ std::vector<std::string> ConfigNode::texts() const {
   return values;
 }
 
-std::vector<double> ConfigNode::numbers(std::size_t exactly) const {
+std::vector<double> ConfigNode::numbers(std::size_t exactly, double lo, double hi) const {
   if (!is_list() || tree_->items.size() != exactly)
     throw expected("a list of " + std::to_string(exactly) + " numbers");
   std::vector<double> values;
-  for (const ConfigNode& item : items()) values.push_back(item.number());
+  for (const ConfigNode& item : items()) values.push_back(item.number(lo, hi));
   return values;
 }
 

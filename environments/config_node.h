@@ -49,7 +49,9 @@ class ConfigNode {
   std::vector<ConfigNode> items() const;                     // of a list
   std::vector<ConfigNode> items(std::size_t exactly) const;  // of a list of that length
   std::vector<std::string> texts() const;                    // of a list of texts
-  std::vector<double> numbers(std::size_t exactly) const;    // of a list of numbers
+  // Of a list of that many numbers within inclusive bounds.
+  std::vector<double> numbers(std::size_t exactly, double lo = -kUnbounded,
+                              double hi = kUnbounded) const;
 
   // Of a map: its keys in the order of the file, a value that may be missing, one that must be
   // there.
@@ -78,9 +80,12 @@ class ConfigNode {
   int line_ = 0;
 };
 
+// The bytes of a file. Throws ConfigError if it is missing, a folder, unreadable or not UTF-8 text.
+std::string read_text_file(const std::string& path);
 // A finite number as YAML and our CSV files may write it; nothing else around it.
 std::optional<double> parse_number(std::string_view text);
-// The shortest decimal that reads back as the same double; -0 is 0.
+// The shortest decimal that reads back as the same double, without an exponent from 1e-4 to 1e15;
+// -0 is 0.
 std::string number_text(double value);
 
 }  // namespace voronaut

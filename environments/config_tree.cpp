@@ -126,8 +126,10 @@ std::size_t sequence_length(unsigned char first) {
   return 0;
 }
 
+}  // namespace
+
 // yaml-cpp reads any bytes and fails, if at all, somewhere behind them.
-void require_text(std::string_view text, const std::string& file) {
+void require_utf8(std::string_view text, const std::string& file) {
   int line = 1;
   for (std::size_t i = 0; i < text.size();) {
     const auto first = static_cast<unsigned char>(text[i]);
@@ -143,10 +145,8 @@ void require_text(std::string_view text, const std::string& file) {
   }
 }
 
-}  // namespace
-
 std::shared_ptr<const ConfigTree> parse_yaml(const std::string& text, const std::string& file) {
-  require_text(text, file);
+  require_utf8(text, file);
   std::istringstream stream(text);
   TreeBuilder builder(file);
   try {

@@ -2,6 +2,7 @@
 
 #include <memory>
 #include <string>
+#include <string_view>
 #include <vector>
 
 // A YAML document as a plain tree with line numbers: what ConfigNode walks over. Not for others.
@@ -28,5 +29,8 @@ struct ConfigTree {
 // is not YAML, for a second document, for a key that is given twice or is not text, and for text
 // that is not UTF-8. `file` is what messages call it.
 std::shared_ptr<const ConfigTree> parse_yaml(const std::string& text, const std::string& file);
+
+// Throws ConfigError at the first byte that does not belong to a UTF-8 text.
+void require_utf8(std::string_view text, const std::string& file);
 
 }  // namespace voronaut

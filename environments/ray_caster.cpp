@@ -150,7 +150,11 @@ class FanSweep {
     if (holds_origin(a, b)) blind_ = true;
     if (blind_ || turn * turn > max_range_m_ * max_range_m_ * (b - a).squaredNorm()) return;
     if (turn < 0) std::swap(a, b);
-    if (order_.narrow() && (cross(order_.first(), b) < 0 || cross(order_.last(), a) > 0)) return;
+    if (order_.narrow()) {
+      const bool right = cross(order_.first(), a) < 0 && cross(order_.first(), b) < 0;
+      const bool left = cross(order_.last(), a) > 0 && cross(order_.last(), b) > 0;
+      if (right || left) return;
+    }
     order_.sweep_from(a,
                       [&](std::size_t beam) { return keep(beam, hit_wall(beams_[beam], a, b)); });
   }

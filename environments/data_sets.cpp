@@ -1,0 +1,121 @@
+#include "voronaut/environments/data_sets.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <functional>
+
+#include "voronaut/environments/csv_table.h"
+#include "voronaut/environments/nearest_name.h"
+
+namespace voronaut {
+namespace {
+
+constexpr double kFar = kFarthestCoordinate;
+
+// One world that an index lists; its own file is read only if it is selected.
+struct Listed {
+  std::string name;
+  std::function<DataSetWorld()> read;
+};
+
+std::vector<Listed> list_barn(const std::string& folder) {
+  const auto table =
+      CsvTable::read(folder + "/worlds.csv", {"world", "start_x", "start_y", "goal_x", "goal_y"});
+  std::vector<Listed> worlds;
+  for (std::size_t row = 0; row < table.rows(); ++row) {
+    std::string number = table.text(row, "world");
+    number.insert(0, 3 - std::min<std::size_t>(number.size(), 3), '0');
+    DataSetWorld world;
+    world.name = "barn_" + number;
+    world.bounds = {{-4.5, 0}, {0, 14}};
+    world.start = {table.number(row, "start_x", -kFar, kFar),
+                   table.number(row, "start_y", -kFar, kFar)};
+    world.goal = {table.number(row, "goal_x", -kFar, kFar),
+                  table.number(row, "goal_y", -kFar, kFar)};
+    worlds.push_back({world.name, [world, file = folder + "/obstacles/world_" + number + ".csv"] {
+                        DataSetWorld read = world;
+                        read.shapes.circles = read_circles_csv(file);
+                        return read;
+                      }});
+  }
+  return worlds;
+}
+
+std::vector<Listed> list_dodgedrone(const std::string& folder) {
+  const auto table = CsvTable::read(folder + "/index.csv", {"env"});
+  std::vector<Listed> worlds;
+  for (std::size_t row = 0; row < table.rows(); ++row) {
+    const std::string environment = table.text(row, "env");
+    worlds.push_back({"dodgedrone_" + environment, [folder, environment] {
+                        DataSetWorld read;
+                        read.name = "dodgedrone_" + environment;
+                        read.bounds = {{-2, -12}, {20, 12}};
+                        read.goal = {18, 0};
+                        read.shapes.circles =
+                            read_circles_csv(folder + "/" + environment + "/slice_z1.csv");
+                        return read;
+                      }});
+  }
+  return worlds;
+}
+
+struct DataSet {
+  std::string name;
+  std::vector<Listed> (*list)(const std::string& folder);
+};
+
+const std::vector<DataSet>& data_sets() {
+  static const std::vector<DataSet> all = {{"barn", list_barn}, {"dodgedrone", list_dodgedrone}};
+  return all;
+}
+
+std::string folder_of(const std::string& name, const DataLocation& data, const ConfigNode& place) {
+  const std::string remedy = "give --data DIR or set VORONAUT_DATA";
+  if (data.folder.empty())
+    throw place.error("'" + name + "' lies in the data folder, which is not known: " + remedy);
+  const std::string folder = (std::filesystem::path(data.folder) / name).string();
+  std::error_code ignored;
+  if (!std::filesystem::is_directory(folder, ignored))
+    throw place.error("no folder " + in_quotes(folder) + " (data folder from " + data.origin +
+                      "; " + remedy + ")");
+  return folder;
+}
+
+}  // namespace
+
+std::vector<std::string> data_set_names() {
+  std::vector<std::string> names;
+  for (const DataSet& set : data_sets()) names.push_back(set.name);
+  return names;
+}
+
+std::vector<DataSetWorld> read_data_set(const std::string& name, const DataSetSelection& selection,
+                                        const DataLocation& data, const ConfigNode& place) {
+  std::vector<DataSetWorld> worlds;
+  for (const DataSet& set : data_sets()) {
+    if (set.name != name) continue;
+    const std::vector<Listed> listed = set.list(folder_of(name, data, place));
+    const auto limit = static_cast<std::size_t>(selection.limit);
+    if (selection.pick.empty()) {
+      for (const Listed& world : listed)
+        if (limit == 0 || worlds.size() < limit) worlds.push_back(world.read());
+      continue;
+    }
+    for (const std::string& picked : selection.pick) {
+      const auto found = std::find_if(listed.begin(), listed.end(),
+                                      [&](const Listed& world) { return world.name == picked; });
+      if (found == listed.end()) {
+        std::vector<std::string> names;
+        for (const Listed& world : listed) names.push_back(world.name);
+        const auto meant = nearest_name(picked, names);
+        throw place.error("no world " + in_quotes(picked) + " among the " +
+                          std::to_string(names.size()) + " of '" + name + "'" +
+                          (meant ? " (did you mean '" + *meant + "'?)" : ""));
+      }
+      worlds.push_back(found->read());
+    }
+  }
+  return worlds;
+}
+
+}  // namespace voronaut
