@@ -31,6 +31,11 @@ ompl::base::PlannerPtr make_planner(const TrialSpec& spec, const PlannerEntry& e
   return planner;
 }
 
+Braking braking_of(const TrialSpec& spec) {
+  const StoppingLaw law = stopping_law(spec.regulator, spec.vehicle);
+  return {law.k_1_s, law.a_m_s2, spec.vehicle.clearance_min_m};
+}
+
 std::size_t ticks_per_scan_of(const TrialSpec& spec) {
   const double ticks = 1 / (spec.range_finder.rate_hz * spec.loop.vehicle_period_s);
   return static_cast<std::size_t>(std::max(1.0, std::round(ticks)));
@@ -62,13 +67,13 @@ Flight::Flight(const TrialSpec& trial, const PlannerCatalog& planners, bool keep
       replan_policy(trial.navigation, planner_traits),
       tracker(trial.navigation, SpeedProfile{}, trial.vehicle.limits.max_speed_m_s),
       gaze(trial.navigation.gaze, trial.scenario.start_heading),
-      braking(braking_of(trial.vehicle)),
+      braking(braking_of(trial)),
       referee(trial.scenario, trial.vehicle.body_radius_m, trial.shortest_length_m, trial.loop) {}
 
 void Flight::sense(const VehicleState& state, double now_s) {
   const Pose2 pose{state.p_world.head<2>(), state.heading_world()};
   range_finder.sense(*spec.scenario.world, pose, now_s, sensor_noise, scan);
-  log.scans.push_back({.tick = log.ticks.size() - 1});
+  log.scans.emplace_back().tick = log.ticks.size() - 1;
 }
 
 void Flight::update_map() {

@@ -6,6 +6,7 @@
 #include "voronaut/benchmarks/loop_config.h"
 #include "voronaut/dynamics/state.h"
 #include "voronaut/environments/scenario.h"
+#include "voronaut/environments/world.h"
 #include "voronaut/reports/run_record.h"
 
 namespace voronaut {
