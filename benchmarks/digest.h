@@ -1,0 +1,17 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "voronaut/reports/run_record.h"
+
+namespace voronaut {
+
+// The deterministic columns of a record, one "name=value" per line; numbers as the shortest decimal
+// that reads back, absent ones empty, -0 as 0.
+std::string deterministic_text(const RunRecord& record);
+
+// SHA-256 over the deterministic columns of all records, which come ordered by trial id.
+std::string digest(const std::vector<RunRecord>& records);
+
+}  // namespace voronaut

@@ -1,0 +1,58 @@
+#pragma once
+
+#include <cstddef>
+#include <map>
+#include <optional>
+#include <string>
+#include <utility>
+
+#include "voronaut/benchmarks/suite_config.h"
+#include "voronaut/benchmarks/trial.h"
+
+namespace voronaut {
+
+// A trial as the runner gets it. A random scenario that drew no admissible world leaves no world to
+// fly in: the trial keeps its place with the reason in `refusal`.
+struct PlannedTrial {
+  TrialSpec spec;
+  std::string refusal;
+};
+
+// The trials of a suite one after another, in the order scenario, repetition, vehicle, planner.
+// Worlds are made when it is their turn and shared by the trials in them. The seed of a world comes
+// from (suite seed, scenario, repetition), so every planner and vehicle meets the same world; the
+// planner's from (suite seed, scenario, planner label, repetition).
+class SuiteTrials {
+ public:
+  explicit SuiteTrials(const SuiteConfig& suite);
+
+  std::size_t total() const;
+  std::optional<PlannedTrial> next();
+
+  // Makes the first world of every scenario. Throws ConfigError for one that cannot be made.
+  static void check_worlds(const SuiteConfig& suite);
+
+ private:
+  void enter_world();
+  PlannedTrial trial(const VehicleEntry& vehicle, const PlannerSpec& planner) const;
+
+  const SuiteConfig& suite_;
+  std::size_t next_ = 0;
+  Scenario scenario_;
+  std::string world_id_;
+  std::string refusal_;
+};
+
+// Lengths of the shortest paths on the true world, each computed once.
+class ShortestReferences {
+ public:
+  // Fills shortest_length_m and shortest_at_clearance_m; NaN where there is no path.
+  void add_to(TrialSpec& spec);
+
+ private:
+  double length_m(const TrialSpec& spec, double radius_m);
+
+  std::map<std::pair<std::string, double>, double> lengths_;  // by world id and radius
+};
+
+}  // namespace voronaut
