@@ -48,11 +48,13 @@ void require_simple(const Polygon& polygon, std::size_t index) {
   for (std::size_t i = 0; i < n; ++i) {
     const Segment e = edge(polygon, i);
     if (e.a == e.b) reject("polygon", index, "repeats vertex " + std::to_string(i));
-    const Segment next = edge(polygon, (i + 1) % n);
-    const Vec2 along = e.b - e.a;
-    const Vec2 onward = next.b - next.a;
-    if (cross(along, onward) == 0 && along.dot(onward) < 0) {
-      reject("polygon", index, "folds back at vertex " + std::to_string((i + 1) % n));
+  }
+  for (std::size_t i = 0; i < n; ++i) {
+    const std::size_t next = i + 1 < n ? i + 1 : 0;
+    const Segment e = edge(polygon, i);
+    const Segment onward = edge(polygon, next);
+    if (cross(e.b - e.a, onward.b - onward.a) == 0 && (e.b - e.a).dot(onward.b - onward.a) < 0) {
+      reject("polygon", index, "folds back at vertex " + std::to_string(next));
     }
     const std::size_t last = i == 0 ? n - 1 : n;  // the last edge is the first one's neighbour
     for (std::size_t j = i + 2; j < last; ++j) {
