@@ -1,0 +1,130 @@
+#include "voronaut/dynamics/catalog.h"
+
+#include <algorithm>
+#include <stdexcept>
+
+#include <sleef.h>
+
+namespace voronaut {
+namespace {
+
+template <class... Fs>
+struct Overloaded : Fs... {
+  using Fs::operator()...;
+};
+
+[[noreturn]] void throw_unknown(const std::string& kind, const std::string& name,
+                                const std::vector<std::string>& known) {
+  std::string message = "unknown " + kind + " '" + name + "'; known:";
+  for (const std::string& one : known) message += " " + one;
+  throw std::invalid_argument(message);
+}
+
+template <class Wanted>
+const Wanted& model_for(const char* regulator_name, const char* model_name,
+                        const VehicleSpec& vehicle) {
+  const auto* model = std::get_if<Wanted>(&vehicle.model);
+  if (model == nullptr) {
+    throw std::invalid_argument("regulator '" + std::string(regulator_name) +
+                                "' drives the model " + model_name + ", which vehicle '" +
+                                vehicle.name + "' is not");
+  }
+  return *model;
+}
+
+double tilt_acceleration_m_s2(const QuadrotorConfig& model, const MotionLimits& limits) {
+  return std::min(limits.max_acceleration_m_s2,
+                  model.gravity_m_s2 * Sleef_cinz_tand1_u10purec(limits.max_tilt_rad));
+}
+
+const QuadrotorConfig& quadrotor_for(const char* regulator_name, const VehicleSpec& vehicle) {
+  return model_for<QuadrotorConfig>(regulator_name, "quadrotor", vehicle);
+}
+
+const IdealConfig& ideal_for(const VehicleSpec& vehicle) {
+  return model_for<IdealConfig>("ideal", "ideal", vehicle);
+}
+
+}  // namespace
+
+std::vector<std::string> vehicle_names() { return {"ideal", "quadrotor", "quadrotor_props"}; }
+
+std::vector<std::string> regulator_names() { return {"ideal", "paper_literal", "pd_rate"}; }
+
+VehicleSpec vehicle(const std::string& name) {
+  // Rotor hubs at 0.24 m; with propellers of 0.15 m radius 0.39 m. Acceleration: g tan(20 deg).
+  VehicleSpec quadrotor{.name = name,
+                        .limits = {.max_acceleration_m_s2 = 3.5706},
+                        .model = QuadrotorConfig{},
+                        .regulator = "pd_rate"};
+  if (name == "quadrotor") return quadrotor;
+  if (name == "quadrotor_props") {
+    quadrotor.body_radius_m = 0.39;
+    quadrotor.clearance_min_m = 0.5;
+    return quadrotor;
+  }
+  if (name == "ideal") {
+    return {.name = name,
+            .limits = {.max_acceleration_m_s2 = 3, .max_tilt_rad = 0},
+            .model = IdealConfig{},
+            .regulator = "ideal"};
+  }
+  throw_unknown("vehicle", name, vehicle_names());
+}
+
+RegulatorConfig regulator(const std::string& name) {
+  if (name == "pd_rate") return PdRateConfig{};
+  if (name == "paper_literal") return PaperLiteralConfig{};
+  if (name == "ideal") return IdealRegulatorConfig{};
+  throw_unknown("regulator", name, regulator_names());
+}
+
+std::unique_ptr<Model> make_model(const ModelConfig& config) {
+  return std::visit(Overloaded{[](const IdealConfig& c) -> std::unique_ptr<Model> {
+                                 return std::make_unique<Ideal>(c);
+                               },
+                               [](const QuadrotorConfig& c) -> std::unique_ptr<Model> {
+                                 return std::make_unique<Quadrotor>(c);
+                               }},
+                    config);
+}
+
+std::unique_ptr<Regulator> make_regulator(const RegulatorConfig& config, const VehicleSpec& vehicle,
+                                          double period_s) {
+  using Made = std::unique_ptr<Regulator>;
+  return std::visit(
+      Overloaded{[&](const IdealRegulatorConfig& c) -> Made {
+                   ideal_for(vehicle);
+                   return std::make_unique<IdealRegulator>(c, vehicle.limits);
+                 },
+                 [&](const PdRateConfig& c) -> Made {
+                   return std::make_unique<PdRate>(c, quadrotor_for("pd_rate", vehicle),
+                                                   vehicle.limits, period_s);
+                 },
+                 [&](const PaperLiteralConfig& c) -> Made {
+                   return std::make_unique<PaperLiteral>(c, quadrotor_for("paper_literal", vehicle),
+                                                         vehicle.limits, period_s);
+                 }},
+      config);
+}
+
+StoppingLaw stopping_law(const RegulatorConfig& config, const VehicleSpec& vehicle) {
+  return std::visit(
+      Overloaded{[&](const IdealRegulatorConfig& c) -> StoppingLaw {
+                   return {c.velocity_gain_1_s, std::min(vehicle.limits.max_acceleration_m_s2,
+                                                         ideal_for(vehicle).max_acceleration_m_s2)};
+                 },
+                 [&](const PdRateConfig& c) -> StoppingLaw {
+                   const QuadrotorConfig& model = quadrotor_for("pd_rate", vehicle);
+                   return {place_poles(c, model).velocity_gain_1_s(),
+                           tilt_acceleration_m_s2(model, vehicle.limits)};
+                 },
+                 [&](const PaperLiteralConfig& c) -> StoppingLaw {
+                   return {c.horizontal_kp / c.horizontal_kd,
+                           tilt_acceleration_m_s2(quadrotor_for("paper_literal", vehicle),
+                                                  vehicle.limits)};
+                 }},
+      config);
+}
+
+}  // namespace voronaut

@@ -1,0 +1,28 @@
+#include "voronaut/dynamics/regulators/ideal.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "voronaut/dynamics/regulators/guidance.h"
+
+namespace voronaut {
+
+Command IdealRegulator::regulate(const Setpoint& setpoint, const VehicleState& state) {
+  const double a_max = limits_.max_acceleration_m_s2;
+  const double climb_error =
+      desired_climb_m_s(setpoint, state, config_.height_gain_1_s) - state.v_world.z();
+  const double vertical = std::clamp(config_.climb_gain_1_s * climb_error, -a_max, a_max);
+
+  const Eigen::Vector2d v_desired =
+      desired_velocity(setpoint, state, profile_, limits_.max_speed_m_s);
+  Eigen::Vector2d horizontal = config_.velocity_gain_1_s * (v_desired - state.v_world.head<2>());
+  const double room = std::sqrt(std::max(a_max * a_max - vertical * vertical, 0.0));
+  const double norm = horizontal.norm();
+  if (norm > room) horizontal *= room / norm;
+
+  const double yaw_rate = desired_yaw_rate_rad_s(setpoint, state.heading_world(),
+                                                 config_.yaw_gain_1_s, limits_.max_yaw_rate_rad_s);
+  return {{horizontal.x(), horizontal.y(), vertical, yaw_rate}};
+}
+
+}  // namespace voronaut

@@ -1,0 +1,42 @@
+#pragma once
+
+#include "voronaut/dynamics/limits.h"
+#include "voronaut/dynamics/regulator.h"
+#include "voronaut/dynamics/speed_profile.h"
+
+namespace voronaut {
+
+struct IdealRegulatorConfig {
+  double velocity_gain_1_s = 1.786;  // k, as kp/kd of pd_rate: the same stopping distance
+  double height_gain_1_s = 1.667;    // climb per error of height
+  double climb_gain_1_s = 5.4;       // vertical acceleration per error of climb
+  double yaw_gain_1_s = 2;
+  SpeedProfileConfig profile;
+
+  template <class Visitor>
+  void visit(Visitor& v) {
+    v.number("velocity_gain_1_s", velocity_gain_1_s, 0.01, 50);
+    v.number("height_gain_1_s", height_gain_1_s, 0.01, 50);
+    v.number("climb_gain_1_s", climb_gain_1_s, 0.01, 50);
+    v.number("yaw_gain_1_s", yaw_gain_1_s, 0, 50);
+    profile.visit(v);
+  }
+};
+
+// For the ideal vehicle: acceleration clip(k (V_desired - V), a_max), turning towards the heading.
+// Memoryless. Height comes first where the two compete for a_max.
+class IdealRegulator : public Regulator {
+ public:
+  IdealRegulator(const IdealRegulatorConfig& config, const MotionLimits& limits)
+      : config_(config), limits_(limits), profile_(config.profile) {}
+
+  void reset(const VehicleState&) override {}
+  Command regulate(const Setpoint& setpoint, const VehicleState& state) override;
+
+ private:
+  IdealRegulatorConfig config_;
+  MotionLimits limits_;
+  SpeedProfile profile_;
+};
+
+}  // namespace voronaut
