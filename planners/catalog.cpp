@@ -4,11 +4,23 @@
 #include <utility>
 
 #include "voronaut/planners/ompl_planners.h"
+#include "voronaut/planners/reactive_voronoi/reactive_voronoi.h"
 
 namespace voronaut {
+namespace {
+
+template <class Planner>
+ompl::base::PlannerPtr make(const ompl::base::SpaceInformationPtr& si) {
+  return std::make_shared<Planner>(si);
+}
+
+}  // namespace
 
 PlannerCatalog PlannerCatalog::built_in() {
   PlannerCatalog catalog;
+  catalog.add({"ReactiveVoronoi",
+               "the papers' planner: past obstacles on the left, on the right, between them",
+               PlannerTraits{.plans_on_every_scan = true}, make<ReactiveVoronoi>});
   for (PlannerEntry& entry : ompl_planners()) catalog.add(std::move(entry));
   return catalog;
 }

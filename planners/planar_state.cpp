@@ -53,4 +53,8 @@ Bounds position_bounds(const ob::StateSpace& space) {
   return {{bounds.low[0], bounds.low[1]}, {bounds.high[0], bounds.high[1]}};
 }
 
+Vec2 clamped(const Vec2& p, const Bounds& bounds) {
+  return p.cwiseMax(bounds.min).cwiseMin(bounds.max);
+}
+
 }  // namespace voronaut

@@ -15,7 +15,8 @@ bool has_position(const ompl::base::StateSpace& space);
 Vec2 position_of(const ompl::base::StateSpace& space, const ompl::base::State* state);
 void set_position(const ompl::base::StateSpace& space, ompl::base::State* state, const Vec2& p);
 
-// Bounds of the position.
+// Bounds of the position, and a position brought back into them.
 Bounds position_bounds(const ompl::base::StateSpace& space);
+Vec2 clamped(const Vec2& p, const Bounds& bounds);
 
 }  // namespace voronaut

@@ -1,0 +1,91 @@
+#pragma once
+
+#include <string>
+
+namespace voronaut {
+
+// The papers' planner and its repairs. Every choice has the published value first; each repair can
+// be switched alone, so that what it is worth can be measured.
+struct ReactiveVoronoiConfig {
+  // Which way the increment of an extreme point goes.
+  enum class Offset {
+    axis,           // (x + g, y - g) or (x - g, y + g), as printed: across the way only at 45 deg
+    line_of_sight,  // across the line of sight to the point, as long as the published one
+  };
+  // What the first and the last point of an obstacle are.
+  enum class Extremes {
+    stored_order,   // as the base stores them: merging and flying on move them inwards
+    bearing_order,  // as seen from where the vehicle is now
+  };
+  // Which obstacles switch the mode.
+  enum class Relevance {
+    in_sight,       // any that the latest scan shows
+    goal_corridor,  // those with a point in the corridor from the vehicle to the goal
+  };
+  // Which points of an obstacle count.
+  enum class Source {
+    scan,  // those of the latest scan
+    map,   // all that are known
+  };
+  // What becomes of points beside and behind the vehicle.
+  enum class Passed {
+    counted,  // in view is in view; that they leave the field of view is what ends a mode
+    dropped,  // only points ahead, as seen along the line to the goal
+  };
+  // Between which two obstacles the vehicle goes, when there are several.
+  enum class Pairing {
+    closest,     // the two closest ones, wherever they are
+    across_way,  // the closest on either side of the line to the goal; those on one side of it are
+                 // passed together, as if they were one
+  };
+  // What an extreme point at the edge of the field of view is worth.
+  enum class CutEdges {
+    trusted,  // it is the end of the obstacle
+    avoided,  // the end is unseen: the other side is taken if it is not cut too
+  };
+
+  double safety_margin_m = 0.5;         // the papers' gamma, indicator of safety
+  double corridor_half_width_m = 0.75;  // 1.5 gamma
+  Offset offset = Offset::axis;
+  Extremes extremes = Extremes::stored_order;
+  Relevance relevance = Relevance::in_sight;
+  Source source = Source::scan;
+  Passed passed = Passed::counted;
+  Pairing pairing = Pairing::closest;
+  CutEdges cut_edges = CutEdges::trusted;
+  bool side_hysteresis = false;  // keep to the side once chosen, as long as the obstacle matters
+
+  static ReactiveVoronoiConfig as_published() { return {}; }
+  static ReactiveVoronoiConfig repaired() {
+    ReactiveVoronoiConfig config;
+    config.offset = Offset::line_of_sight;
+    config.extremes = Extremes::bearing_order;
+    config.relevance = Relevance::goal_corridor;
+    config.passed = Passed::dropped;
+    config.pairing = Pairing::across_way;
+    config.cut_edges = CutEdges::avoided;
+    config.side_hysteresis = true;
+    return config;
+  }
+
+  template <class Visitor>
+  void visit(Visitor& v) {
+    v.number("safety_margin_m", safety_margin_m, 0.01, 10);
+    v.number("corridor_half_width_m", corridor_half_width_m, 0.01, 100);
+    v.choice("offset", offset, {{"axis", Offset::axis}, {"line_of_sight", Offset::line_of_sight}});
+    v.choice(
+        "extremes", extremes,
+        {{"stored_order", Extremes::stored_order}, {"bearing_order", Extremes::bearing_order}});
+    v.choice("relevance", relevance,
+             {{"in_sight", Relevance::in_sight}, {"goal_corridor", Relevance::goal_corridor}});
+    v.choice("source", source, {{"scan", Source::scan}, {"map", Source::map}});
+    v.choice("passed", passed, {{"counted", Passed::counted}, {"dropped", Passed::dropped}});
+    v.choice("pairing", pairing,
+             {{"closest", Pairing::closest}, {"across_way", Pairing::across_way}});
+    v.choice("cut_edges", cut_edges,
+             {{"trusted", CutEdges::trusted}, {"avoided", CutEdges::avoided}});
+    v.flag("side_hysteresis", side_hysteresis);
+  }
+};
+
+}  // namespace voronaut
