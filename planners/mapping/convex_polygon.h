@@ -13,6 +13,9 @@ namespace voronaut {
 // O(n log n).
 void reduce_to_convex_hull(std::vector<Vec2>& points);
 
+// Adds one point to a hull of that form, in place. True if it became a vertex. O(n).
+bool add_to_convex_hull(std::vector<Vec2>& hull, const Vec2& p);
+
 Bounds bounding_box(std::span<const Vec2> points);
 
 // Both boxes are closed: a common edge or corner counts.
@@ -22,7 +25,8 @@ inline bool boxes_touch(const Bounds& a, const Bounds& b) {
 }
 
 // True if the two have at least one point in common, their boundaries included (what Boost.Geometry
-// calls intersects). O(n m), by a separating edge.
+// calls intersects). O(n m), by a separating edge. The second form expects that their boxes touch.
 bool convex_polygons_touch(std::span<const Vec2> a, std::span<const Vec2> b);
+bool convex_polygons_touch_in_boxes(std::span<const Vec2> a, std::span<const Vec2> b);
 
 }  // namespace voronaut

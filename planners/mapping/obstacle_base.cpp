@@ -3,231 +3,151 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
 #include <stdexcept>
 #include <string>
-
-#include "voronaut/planners/mapping/convex_polygon.h"
+#include <tuple>
 
 namespace voronaut {
 namespace {
 
-constexpr std::size_t kNone = std::numeric_limits<std::size_t>::max();
+constexpr ClusterId kNoCluster = 0xffff'ffff;
 
-void require(bool ok, const char* name, double value, const char* allowed) {
-  if (ok) return;
+void check(bool allowed, const char* name, double value, const char* bound) {
+  if (allowed) return;
   throw std::invalid_argument("ObstacleBaseConfig: " + std::string(name) + " is " +
-                              std::to_string(value) + ", allowed is " + allowed);
+                              std::to_string(value) + ", allowed is a finite number " + bound);
 }
 
-// Labels 0..n-1 of the connected components, in the order of their first elements.
-template <class Related>
-std::vector<std::size_t> components(std::size_t n, const Related& related) {
-  std::vector<std::size_t> label(n);
-  std::iota(label.begin(), label.end(), std::size_t{0});
-  for (std::size_t i = 0; i < n; ++i) {
-    for (std::size_t j = i + 1; j < n; ++j) {
-      if (label[i] == label[j] || !related(i, j)) continue;
-      const auto [low, high] = std::minmax(label[i], label[j]);
-      std::replace(label.begin(), label.end(), std::size_t{high}, std::size_t{low});
-    }
-  }
-  return label;
+const ObstacleBaseConfig& checked(const ObstacleBaseConfig& config) {
+  const auto finite = [](double v) { return std::isfinite(v); };
+  check(finite(config.link_distance_m) && config.link_distance_m > 0, "link_distance_m",
+        config.link_distance_m, "> 0");
+  check(finite(config.thinning_distance_m) && config.thinning_distance_m > 0, "thinning_distance_m",
+        config.thinning_distance_m, "> 0");
+  check(finite(config.merge_distance_m) && config.merge_distance_m >= 0, "merge_distance_m",
+        config.merge_distance_m, ">= 0");
+  return config;
 }
 
 }  // namespace
 
-ObstacleBase::ObstacleBase(const ObstacleBaseConfig& config) : config_(config) {
-  const auto finite = [](double v) { return std::isfinite(v); };
-  require(finite(config.link_distance_m) && config.link_distance_m > 0, "link_distance_m",
-          config.link_distance_m, "a positive number");
-  require(finite(config.thinning_distance_m) && config.thinning_distance_m > 0,
-          "thinning_distance_m", config.thinning_distance_m, "a positive number");
-  require(finite(config.merge_distance_m) && config.merge_distance_m >= 0, "merge_distance_m",
-          config.merge_distance_m, "a number >= 0");
-}
-
-std::size_t ObstacleBase::represent(const Vec2& p, std::size_t previous) {
-  const double thinning_sq = config_.thinning_distance_m * config_.thinning_distance_m;
-  if (previous != kNone && (points_[previous] - p).squaredNorm() < thinning_sq) return previous;
-  std::size_t nearest = kNone;
-  double nearest_sq = thinning_sq;
-  for (std::size_t i = 0; i < points_.size(); ++i) {
-    const double distance_sq = (points_[i] - p).squaredNorm();
-    if (distance_sq < nearest_sq) {
-      nearest = i;
-      nearest_sq = distance_sq;
-    }
-  }
-  if (nearest != kNone) return nearest;
-  points_.push_back(p);
-  return points_.size() - 1;
-}
-
-void ObstacleBase::absorb(ClusterId into, ClusterId from) {
-  Cluster& a = clusters_[into];
-  Cluster& b = clusters_[from];
-  for (const PointId id : b.members) label_[id] = into;
-  a.members.insert(a.members.end(), b.members.begin(), b.members.end());
-  a.hull.insert(a.hull.end(), b.hull.begin(), b.hull.end());
-  reduce_to_convex_hull(a.hull);
-  b = {};
-  ++report_.merges;
-}
-
-bool ObstacleBase::related(const Cluster& a, const Cluster& b) {
-  ++report_.pairs_tested;
-  if (convex_polygons_touch(a.hull, b.hull)) return true;
-  const double merge_sq = config_.merge_distance_m * config_.merge_distance_m;
-  for (const PointId i : {a.members.front(), a.members.back()}) {
-    for (const PointId j : {b.members.front(), b.members.back()}) {
-      if ((points_[i] - points_[j]).squaredNorm() < merge_sq) return true;
-    }
-  }
-  return false;
-}
-
-bool ObstacleBase::merge_round() {
-  std::vector<ClusterId> living;
-  for (ClusterId id = 0; id < clusters_.size(); ++id) {
-    if (!clusters_[id].members.empty()) living.push_back(id);
-  }
-  const auto label = components(living.size(), [&](std::size_t i, std::size_t j) {
-    return related(clusters_[living[i]], clusters_[living[j]]);
-  });
-  bool merged = false;
-  for (std::size_t i = 0; i < living.size(); ++i) {
-    if (label[i] == i) continue;
-    absorb(living[label[i]], living[i]);
-    merged = true;
-  }
-  return merged;
-}
+ObstacleBase::ObstacleBase(const ObstacleBaseConfig& config)
+    : config_(checked(config)),
+      clusterer_(config.link_distance_m, config.thinning_distance_m),
+      points_(config.thinning_distance_m),
+      clusters_(config.merge_distance_m) {}
 
 const UpdateReport& ObstacleBase::update(const Scan& scan) {
-  report_ = {};
-  scan_clusters_.clear();
-  const double thinning_sq = config_.thinning_distance_m * config_.thinning_distance_m;
-  const double link_sq = config_.link_distance_m * config_.link_distance_m;
+  const auto first_new = static_cast<PointId>(points_.size());
+  returns_.read(scan);
+  clusterer_.cluster(returns_);
+  represent_returns();
+  join_scan_clusters(first_new);
 
-  // Returns, what represents them, and which of them a scan cluster lists.
-  std::vector<Vec2> returned;
-  std::vector<std::size_t> beam;
-  std::vector<std::size_t> representative;
-  std::vector<bool> stored;
-  std::vector<bool> listed;
-  std::size_t first_measured = kNone;
-  std::size_t last_measured = kNone;
-  const std::size_t known_before = points_.size();
-  Vec2 last_listed = Vec2::Zero();
-  for (std::size_t i = 0; i < scan.size(); ++i) {
-    const double range_m = scan.range_m[i];
-    if (!(range_m > 0 && range_m <= scan.max_range_m)) {
-      ++report_.invalid;
-      continue;
-    }
-    if (first_measured == kNone) first_measured = i;
-    last_measured = i;
-    if (!scan.is_return(i)) continue;
-    const Vec2 p = scan.point_world(i);
-    const std::size_t known_points = points_.size();
-    representative.push_back(represent(p, representative.empty() ? kNone : representative.back()));
-    stored.push_back(points_.size() > known_points);
-    listed.push_back(returned.empty() || !((p - returned.back()).squaredNorm() < link_sq) ||
-                     !((p - last_listed).squaredNorm() < thinning_sq));
-    if (listed.back()) last_listed = p;
-    returned.push_back(p);
-    beam.push_back(i);
-  }
-  report_.returns = returned.size();
-  report_.points_added = points_.size() - known_before;
+  const std::size_t bridges = clusters_.merge_components(bridged_);
+  append_new_points();
+  const ClusterBase::MergeCounts merged = clusters_.merge_related(points_.points());
 
-  const auto scan_label = components(returned.size(), [&](std::size_t i, std::size_t j) {
-    return (returned[i] - returned[j]).squaredNorm() < link_sq;
-  });
-  // The scan's clusters: returns in the order of their bearing.
-  std::vector<std::vector<std::size_t>> groups;
-  std::vector<std::size_t> group_of(returned.size());
-  for (std::size_t i = 0; i < returned.size(); ++i) {
-    if (scan_label[i] == i) {
-      group_of[i] = groups.size();
-      groups.emplace_back();
-    }
-    group_of[i] = group_of[scan_label[i]];
-    groups[group_of[i]].push_back(i);
+  const std::span<ScanCluster> scan_clusters = clusterer_.clusters();
+  for (std::size_t i = 0; i < scan_clusters.size(); ++i) {
+    scan_clusters[i].cluster = clusters_.living_id(known_cluster_[joined_to_[i]]);
   }
-  const bool full_circle = scan.beams->full_circle();
-  for (auto& group : groups) {
-    if (full_circle) {
-      std::size_t begin = 0;
-      std::size_t widest = beam[group.front()] + scan.size() - beam[group.back()];
-      for (std::size_t k = 1; k < group.size(); ++k) {
-        const std::size_t gap = beam[group[k]] - beam[group[k - 1]];
-        if (gap > widest) {
-          widest = gap;
-          begin = k;
-        }
-      }
-      std::rotate(group.begin(), group.begin() + static_cast<std::ptrdiff_t>(begin), group.end());
-    }
-    ScanCluster& cluster = scan_clusters_.emplace_back();
-    cluster.cut_right = !full_circle && beam[group.front()] == first_measured;
-    cluster.cut_left = !full_circle && beam[group.back()] == last_measured;
-    for (const std::size_t i : group) {
-      if (listed[i]) cluster.points_world.push_back(returned[i]);
-    }
+  report_ = {returns_.size(),      returns_.invalid(),  points_.size() - first_new,
+             scan_clusters.size(), merged.pairs_tested, bridges + merged.merges};
+  if (report_.points_added > 0 || report_.merges > 0) {
+    points_at_version_.push_back(static_cast<std::uint32_t>(points_.size()));
   }
-  report_.clusters_in_scan = groups.size();
-
-  // Known clusters and the scan's clusters that have a stored point in common are one.
-  const std::size_t known = clusters_.size();
-  std::vector<std::vector<std::size_t>> touched(groups.size());  // representatives
-  for (std::size_t i = 0; i < returned.size(); ++i) {
-    touched[group_of[i]].push_back(representative[i]);
-  }
-  const auto joined = components(known + groups.size(), [&](std::size_t i, std::size_t j) {
-    if (j < known) return false;
-    for (const std::size_t p : touched[j - known]) {
-      if (i < known && p < known_before && label_[p] == i) return true;
-      if (i >= known && std::count(touched[i - known].begin(), touched[i - known].end(), p) > 0) {
-        return true;
-      }
-    }
-    return false;
-  });
-  label_.resize(points_.size());
-  std::vector<ClusterId> cluster_of_component(joined.size());
-  for (std::size_t i = 0; i < joined.size(); ++i) {
-    const std::size_t root = joined[i];
-    if (i < known) {
-      cluster_of_component[i] = static_cast<ClusterId>(i);
-      if (root != i) absorb(static_cast<ClusterId>(root), static_cast<ClusterId>(i));
-      continue;
-    }
-    if (root == i) {
-      cluster_of_component[i] = static_cast<ClusterId>(clusters_.size());
-      clusters_.emplace_back();
-    }
-    const ClusterId id = cluster_of_component[root];
-    Cluster& cluster = clusters_[id];
-    for (const std::size_t k : groups[i - known]) {
-      if (!stored[k]) continue;
-      const std::size_t p = representative[k];
-      label_[p] = id;
-      cluster.members.push_back(static_cast<PointId>(p));
-      cluster.hull.push_back(points_[p]);
-    }
-    reduce_to_convex_hull(cluster.hull);
-    scan_clusters_[i - known].cluster = id;
-  }
-  const bool news = report_.points_added > 0 || report_.merges > 0;
-  while (news && merge_round()) {
-  }
-  for (std::size_t i = 0; i < groups.size(); ++i) {
-    scan_clusters_[i].cluster = label_[representative[groups[i].front()]];
-  }
-  if (news) points_at_version_.push_back(static_cast<std::uint32_t>(points_.size()));
   return report_;
+}
+
+// Stage 2. Neighbouring returns mostly have the same representative, so that a scan costs one
+// look-up per stored point that it sees, whatever its number of rays.
+void ObstacleBase::represent_returns() {
+  const double thinning_m = config_.thinning_distance_m;
+  const double thinning_sq = thinning_m * thinning_m;
+  representatives_.clear();
+  Vec2 current = Vec2::Constant(std::numeric_limits<double>::infinity());
+  const std::span<const Vec2> returns = returns_.points_world();
+  for (std::size_t i = 0; i < returns.size(); ++i) {
+    const Vec2 p = returns[i];
+    if ((p - current).squaredNorm() < thinning_sq) continue;
+    PointId point = points_.nearest_closer_than(p, thinning_m);
+    const bool unknown = point == PointIndex::kNone;
+    if (unknown) point = points_.add(p);
+    current = points_[point];
+    representatives_.push_back({static_cast<std::uint32_t>(i), point, unknown});
+  }
+}
+
+// Stage 3: which clusters of the scan have stored points in common with known clusters, or with
+// each other. Known clusters that are bridged so are collected, new points are noted for appending.
+void ObstacleBase::join_scan_clusters(PointId first_new) {
+  const std::size_t count = clusterer_.clusters().size();
+  new_points_.clear();
+  joined_to_.resize(count);
+  known_cluster_.assign(count, kNoCluster);
+  for (std::uint32_t i = 0; i < count; ++i) joined_to_[i] = i;
+
+  std::size_t next = 0;
+  for (const ScanClusterer::Run& run : clusterer_.runs()) {
+    // A run may begin with the representative of the run before it.
+    if (next == representatives_.size() || representatives_[next].from_return != run.begin) {
+      const Representative shared{run.begin, representatives_[next - 1].point, false};
+      join(run.cluster, shared, first_new);
+    }
+    for (; next < representatives_.size() && representatives_[next].from_return < run.end; ++next) {
+      join(run.cluster, representatives_[next], first_new);
+    }
+  }
+}
+
+void ObstacleBase::join(std::uint32_t scan_cluster, const Representative& representative,
+                        PointId first_new) {
+  const auto root = [this](std::uint32_t i) {
+    while (joined_to_[i] != i) i = joined_to_[i];
+    return i;
+  };
+  const auto meet = [this](std::uint32_t i, ClusterId known) {
+    if (known == kNoCluster || known_cluster_[i] == known) return;
+    if (known_cluster_[i] == kNoCluster) {
+      known_cluster_[i] = known;
+    } else {
+      bridged_.push_back({known_cluster_[i], known});
+    }
+  };
+  if (representative.stored_now) {
+    // Returns before the one with which a cluster begins come after its last one.
+    const std::uint32_t begin = clusterer_.first_return(scan_cluster);
+    const auto all = static_cast<std::uint32_t>(returns_.size());
+    const std::uint32_t i = representative.from_return;
+    new_points_.push_back({representative.point, scan_cluster, i < begin ? i + all : i});
+  } else if (representative.point < first_new) {
+    meet(root(scan_cluster), clusters_.cluster_of(representative.point));
+  } else {
+    const std::uint32_t a = root(scan_cluster);
+    const std::uint32_t b = root(new_points_[representative.point - first_new].scan_cluster);
+    if (a == b) return;
+    joined_to_[std::max(a, b)] = std::min(a, b);
+    meet(std::min(a, b), known_cluster_[std::max(a, b)]);
+  }
+}
+
+void ObstacleBase::append_new_points() {
+  for (std::uint32_t i = 0; i < joined_to_.size(); ++i) {
+    // Earlier ones are resolved already.
+    joined_to_[i] = joined_to_[joined_to_[i]];
+    if (joined_to_[i] == i && known_cluster_[i] == kNoCluster) {
+      known_cluster_[i] = clusters_.create();
+    }
+  }
+  const auto by_bearing = [](const NewPoint& a, const NewPoint& b) {
+    return std::tie(a.scan_cluster, a.rank) < std::tie(b.scan_cluster, b.rank);
+  };
+  std::sort(new_points_.begin(), new_points_.end(), by_bearing);
+  for (const NewPoint& added : new_points_) {
+    const ClusterId known = known_cluster_[joined_to_[added.scan_cluster]];
+    clusters_.append(clusters_.living_id(known), added.point, points_.points());
+  }
 }
 
 }  // namespace voronaut

@@ -6,8 +6,12 @@
 #include <vector>
 
 #include "voronaut/environments/scan.h"
+#include "voronaut/planners/mapping/cluster_base.h"
 #include "voronaut/planners/mapping/obstacle_snapshot.h"
+#include "voronaut/planners/mapping/point_index.h"
 #include "voronaut/planners/mapping/scan_cluster.h"
+#include "voronaut/planners/mapping/scan_clusterer.h"
+#include "voronaut/planners/mapping/scan_returns.h"
 
 // The papers' base of cells: everything a range finder has shown so far, as thinned points that
 // belong to clusters.
@@ -65,31 +69,45 @@ class ObstacleBase {
 
   ObstacleSnapshot snapshot() const { return {this, version()}; }
   // Of the latest scan, in the order of their first beams; valid until the next update.
-  std::span<const ScanCluster> scan_clusters() const { return scan_clusters_; }
+  std::span<const ScanCluster> scan_clusters() const { return clusterer_.clusters(); }
   const UpdateReport& report() const { return report_; }
   const ObstacleBaseConfig& config() const { return config_; }
 
  private:
   friend class ObstacleSnapshot;
 
-  struct Cluster {
-    std::vector<PointId> members;  // in stored order; empty once merged into another
-    std::vector<Vec2> hull;
+  // From here on returns of the scan are represented by this stored point.
+  struct Representative {
+    std::uint32_t from_return = 0;
+    PointId point = 0;
+    bool stored_now = false;
+  };
+  struct NewPoint {
+    PointId point = 0;
+    std::uint32_t scan_cluster = 0;
+    std::uint32_t rank = 0;  // in the order of bearing
   };
 
   std::uint64_t version() const { return points_at_version_.size() - 1; }
-  std::size_t represent(const Vec2& p, std::size_t previous);
-  bool related(const Cluster& a, const Cluster& b);
-  bool merge_round();
-  void absorb(ClusterId into, ClusterId from);
+  void represent_returns();
+  void join_scan_clusters(PointId first_new);
+  void join(std::uint32_t scan_cluster, const Representative& representative, PointId first_new);
+  void append_new_points();
 
   ObstacleBaseConfig config_;
   UpdateReport report_;
-  std::vector<ScanCluster> scan_clusters_;
-  std::vector<Vec2> points_;
-  std::vector<ClusterId> label_;  // of each point
-  std::vector<Cluster> clusters_;
+  ScanReturns returns_;
+  ScanClusterer clusterer_;
+  PointIndex points_;
+  ClusterBase clusters_;
   std::vector<std::uint32_t> points_at_version_{0};
+
+  // Scratch of one update, kept so that a scan without news allocates nothing.
+  std::vector<Representative> representatives_;
+  std::vector<NewPoint> new_points_;
+  std::vector<std::uint32_t> joined_to_;    // of each scan cluster: an earlier one, or itself
+  std::vector<ClusterId> known_cluster_;    // of each scan cluster: the first known one it meets
+  std::vector<ClusterBase::Pair> bridged_;  // known clusters with a scan cluster in common
 };
 
 }  // namespace voronaut

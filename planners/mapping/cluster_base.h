@@ -1,0 +1,89 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "voronaut/planners/mapping/box_grid.h"
+#include "voronaut/planners/mapping/scan_cluster.h"
+
+namespace voronaut {
+
+// Which points belong together: labels, members in stored order, convex hulls, and the papers'
+// stage 4 that merges clusters. It decides nothing about clearance. Cluster ids count up from 0;
+// of merged clusters the oldest id lives on and the others stand for it. Points are named by id,
+// and their coordinates are lent to each call that needs them.
+class ClusterBase {
+ public:
+  struct Pair {
+    ClusterId a = 0;
+    ClusterId b = 0;
+  };
+  struct MergeCounts {
+    std::size_t pairs_tested = 0;  // polygon pairs that passed the broad phase
+    std::size_t merges = 0;
+  };
+
+  explicit ClusterBase(double merge_distance_m);
+
+  // A new cluster without members; append() at least one before anything else.
+  ClusterId create();
+  // Points are appended in the order of their ids or not, each exactly once. O(hull).
+  void append(ClusterId id, PointId point, std::span<const Vec2> points);
+
+  // Makes one cluster of each connected component of the pairs: the members of older clusters
+  // first. Returns the number of clusters that ceased. The pairs are living ids, and are consumed.
+  std::size_t merge_components(std::vector<Pair>& pairs);
+
+  // Stage 4 (see ObstacleBase) for all clusters that changed since the last call.
+  MergeCounts merge_related(std::span<const Vec2> points);
+
+  std::size_t living() const { return living_; }
+  std::vector<ClusterId> living_ids() const;
+  // The living cluster that an id stands for. O(merges on its way, nearly always 0 or 1).
+  ClusterId living_id(ClusterId id) const {
+    while (clusters_[id].merged_into != id) id = clusters_[id].merged_into;
+    return id;
+  }
+  ClusterId cluster_of(PointId point) const { return living_id(label_[point]); }
+
+  // The following take any id and answer for the living cluster it stands for.
+  std::vector<PointId> members(ClusterId id) const;
+  PointId first_stored(ClusterId id) const { return clusters_[living_id(id)].first; }
+  PointId last_stored(ClusterId id) const { return clusters_[living_id(id)].last; }
+  std::span<const Vec2> hull(ClusterId id) const { return clusters_[living_id(id)].hull; }
+
+ private:
+  static constexpr PointId kNone = 0xffff'ffff;
+
+  struct Cluster {
+    ClusterId merged_into = 0;  // itself while it lives
+    ClusterId component = 0;    // itself except inside merge_components()
+    PointId first = kNone;
+    PointId last = kNone;
+    bool changed = false;
+    Bounds box;
+    std::vector<Vec2> hull;
+  };
+
+  ClusterId component_of(ClusterId id) const;
+  void mark_changed(ClusterId id);
+  void unite(ClusterId older, ClusterId younger);
+  bool related(const Cluster& a, const Cluster& b, std::span<const Vec2> points,
+               MergeCounts& counts) const;
+  void collect_related(ClusterId id, std::span<const Vec2> points, MergeCounts& counts);
+
+  double merge_distance_m_;
+  std::vector<Cluster> clusters_;
+  std::size_t living_ = 0;
+  BoxGrid boxes_;
+  std::vector<ClusterId> label_;      // of each point: the cluster it was stored in
+  std::vector<PointId> next_member_;  // in stored order
+  std::vector<ClusterId> changed_;    // living, each once
+  std::vector<Pair> related_;         // of the round under way
+  std::vector<ClusterId> in_pairs_;   // scratch of merge_components()
+};
+
+}  // namespace voronaut

@@ -1,0 +1,151 @@
+#include "voronaut/planners/mapping/point_index.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "voronaut/planners/mapping/require.h"
+
+namespace voronaut {
+namespace {
+
+// Large enough that a disc of a vehicle's clearance overlaps few tiles of 8 x 8 cells, small enough
+// that a cell on a wall holds few points.
+constexpr double kSmallestCellM = 0.5;
+
+// Boxes are grown by this share more than asked, so that rounding cannot lose a point on the rim.
+constexpr double kRoundingMargin = 1 + 1e-9;
+
+// Where the start of the first search for the nearest point reaches.
+constexpr double kFirstReachCells = 1;
+
+// The square of the distance from a point to a segment, without a division unless it is needed.
+class SegmentDistance {
+ public:
+  SegmentDistance(const Vec2& a, const Vec2& b)
+      : a_(a), b_(b), along_(b - a), length_sq_(along_.squaredNorm()) {}
+
+  bool closer_than(const Vec2& p, double distance_sq) const {
+    const Vec2 from_a = p - a_;
+    const double t = from_a.dot(along_);
+    if (t <= 0) return from_a.squaredNorm() < distance_sq;
+    if (t >= length_sq_) return (p - b_).squaredNorm() < distance_sq;
+    const double area = cross(along_, from_a);
+    return area * area < distance_sq * length_sq_;
+  }
+
+  double squared(const Vec2& p) const {
+    const Vec2 from_a = p - a_;
+    const double t = from_a.dot(along_);
+    if (t <= 0) return from_a.squaredNorm();
+    if (t >= length_sq_) return (p - b_).squaredNorm();
+    const double area = cross(along_, from_a);
+    return area * area / length_sq_;
+  }
+
+ private:
+  Vec2 a_;
+  Vec2 b_;
+  Vec2 along_;
+  double length_sq_;
+};
+
+}  // namespace
+
+PointIndex::PointIndex(double spacing_m)
+    : cells_(std::max(kSmallestCellM, 2 * spacing_m)),
+      bounds_{Vec2::Constant(std::numeric_limits<double>::infinity()),
+              Vec2::Constant(-std::numeric_limits<double>::infinity())} {}
+
+PointId PointIndex::add(const Vec2& p) {
+  require(std::abs(p.x()) <= kLargestCoordinateM && std::abs(p.y()) <= kLargestCoordinateM,
+          "PointIndex::add: coordinate is not a number within 1e7 m");
+  const auto id = static_cast<PointId>(points_.size());
+  const Cell cell = cells_.cell_of(p.x(), p.y());
+  points_.push_back(p);
+  next_in_cell_.push_back(cells_.head(cell));
+  cells_.set_head(cell, id);
+  bounds_.min = bounds_.min.cwiseMin(p);
+  bounds_.max = bounds_.max.cwiseMax(p);
+  return id;
+}
+
+PointIndex::Reach PointIndex::reach(const Vec2& a, const Vec2& b, double distance_m) const {
+  const double margin_m = distance_m * kRoundingMargin;
+  const double low_x = std::max(std::min(a.x(), b.x()) - margin_m, bounds_.min.x());
+  const double low_y = std::max(std::min(a.y(), b.y()) - margin_m, bounds_.min.y());
+  const double high_x = std::min(std::max(a.x(), b.x()) + margin_m, bounds_.max.x());
+  const double high_y = std::min(std::max(a.y(), b.y()) + margin_m, bounds_.max.y());
+  if (!(low_x <= high_x && low_y <= high_y)) return {{}, {}, true};
+  return {cells_.cell_of(low_x, low_y), cells_.cell_of(high_x, high_y), false};
+}
+
+bool PointIndex::reaches_all_points(const Vec2& p, double distance_m) const {
+  const double farthest_sq =
+      (p - bounds_.min).cwiseAbs().cwiseMax((p - bounds_.max).cwiseAbs()).squaredNorm();
+  return farthest_sq < distance_m * distance_m;
+}
+
+template <class Visit>
+bool PointIndex::any_point(const Reach& within, const Visit& visit) const {
+  if (within.empty) return false;
+  return cells_.any_of(within.low, within.high, [&](PointId id) {
+    for (; id != kNone; id = next_in_cell_[id]) {
+      if (visit(id)) return true;
+    }
+    return false;
+  });
+}
+
+PointId PointIndex::nearest_in(const Reach& within, const Vec2& p, double limit_sq) const {
+  PointId nearest = kNone;
+  any_point(within, [&](PointId id) {
+    const double distance_sq = (points_[id] - p).squaredNorm();
+    if (distance_sq < limit_sq || (distance_sq == limit_sq && nearest != kNone && id < nearest)) {
+      nearest = id;
+      limit_sq = distance_sq;
+    }
+    return false;
+  });
+  return nearest;
+}
+
+PointId PointIndex::nearest_closer_than(const Vec2& p, double distance_m) const {
+  return nearest_in(reach(p, p, distance_m), p, distance_m * distance_m);
+}
+
+PointId PointIndex::nearest(const Vec2& p, double within_m) const {
+  for (double reach_m = kFirstReachCells * cells_.cell_m(); reach_m < within_m; reach_m *= 2) {
+    const PointId id = nearest_closer_than(p, reach_m);
+    if (id != kNone || reaches_all_points(p, reach_m)) return id;
+  }
+  // Not farther than within_m is closer than the next larger number.
+  const double limit_sq =
+      std::nextafter(within_m * within_m, std::numeric_limits<double>::infinity());
+  return nearest_in(reach(p, p, within_m), p, limit_sq);
+}
+
+bool PointIndex::any_closer_than(const Vec2& p, double distance_m) const {
+  const double distance_sq = distance_m * distance_m;
+  return any_point(reach(p, p, distance_m),
+                   [&](PointId id) { return (points_[id] - p).squaredNorm() < distance_sq; });
+}
+
+bool PointIndex::any_closer_than(const Vec2& a, const Vec2& b, double distance_m) const {
+  const SegmentDistance to_segment(a, b);
+  const double distance_sq = distance_m * distance_m;
+  return any_point(reach(a, b, distance_m),
+                   [&](PointId id) { return to_segment.closer_than(points_[id], distance_sq); });
+}
+
+double PointIndex::distance_sq(const Vec2& a, const Vec2& b, double within_m) const {
+  const SegmentDistance to_segment(a, b);
+  double smallest_sq = within_m * within_m;
+  any_point(reach(a, b, within_m), [&](PointId id) {
+    smallest_sq = std::min(smallest_sq, to_segment.squared(points_[id]));
+    return false;
+  });
+  return smallest_sq;
+}
+
+}  // namespace voronaut

@@ -1,0 +1,64 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "voronaut/planners/mapping/cell_tiles.h"
+#include "voronaut/planners/mapping/scan_cluster.h"
+
+namespace voronaut {
+
+// Points that only ever are added, in chains per cell of a hashed grid. Every query costs the cells
+// in its reach, however many points there are elsewhere. Answers are those of a search through all
+// points; "closer" is strict, so a point at exactly the given distance does not count.
+class PointIndex {
+ public:
+  static constexpr PointId kNone = 0xffff'ffff;
+  static constexpr double kLargestCoordinateM = 1e7;
+
+  // spacing_m: how close the points typically lie to each other.
+  explicit PointIndex(double spacing_m);
+
+  // A coordinate beyond kLargestCoordinateM or NaN is a programmer error.
+  PointId add(const Vec2& p);
+
+  std::span<const Vec2> points() const { return points_; }
+  std::size_t size() const { return points_.size(); }
+  const Vec2& operator[](PointId id) const { return points_[id]; }
+
+  // The nearest point of those closer than distance_m, the earliest added of equally close ones;
+  // kNone if there is none. For short distances: looks at all cells in reach at once.
+  PointId nearest_closer_than(const Vec2& p, double distance_m) const;
+  // The same for distances up to infinity (not farther than within_m): looks around p first.
+  PointId nearest(const Vec2& p, double within_m) const;
+
+  bool any_closer_than(const Vec2& p, double distance_m) const;
+  // To the segment a-b: what a disc swept along it would touch.
+  bool any_closer_than(const Vec2& a, const Vec2& b, double distance_m) const;
+  // Square of the smallest distance from the segment a-b to a point, at most within_m squared.
+  double distance_sq(const Vec2& a, const Vec2& b, double within_m) const;
+
+ private:
+  struct Reach {
+    Cell low;
+    Cell high;
+    bool empty = false;
+  };
+  // The cells of the box around a-b grown by distance_m, as far as there are points at all.
+  Reach reach(const Vec2& a, const Vec2& b, double distance_m) const;
+
+  bool reaches_all_points(const Vec2& p, double distance_m) const;
+  PointId nearest_in(const Reach& within, const Vec2& p, double limit_sq) const;
+
+  template <class Visit>
+  bool any_point(const Reach& within, const Visit& visit) const;
+
+  CellTiles cells_;
+  std::vector<Vec2> points_;
+  std::vector<PointId> next_in_cell_;
+  Bounds bounds_;  // of all points
+};
+
+}  // namespace voronaut

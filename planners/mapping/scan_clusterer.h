@@ -1,0 +1,56 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "voronaut/planners/mapping/scan_cluster.h"
+#include "voronaut/planners/mapping/scan_returns.h"
+
+namespace voronaut {
+
+// Single linkage of the returns of one scan. Returns in the order of the beams fall into runs, in
+// which each is linked to the one before; runs of which any two returns are linked are one cluster,
+// so that a post in front of a wall does not cut the wall in two. O(returns), and per pair of runs
+// whose boxes are near each other the pairs of their thinned returns.
+class ScanClusterer {
+ public:
+  struct Run {
+    std::uint32_t begin = 0;  // returns begin .. end - 1
+    std::uint32_t end = 0;
+    std::uint32_t listed_begin = 0;
+    std::uint32_t listed_end = 0;
+    std::uint32_t cluster = 0;  // index into clusters()
+    Bounds box;                 // of the listed returns
+  };
+
+  ScanClusterer(double link_distance_m, double thinning_distance_m);
+
+  void cluster(const ScanReturns& returns);
+
+  std::span<const Run> runs() const { return {runs_.data(), runs_.size()}; }
+  // In the order of their first beams. Valid, like the rest, until the next scan.
+  std::span<ScanCluster> clusters() { return {clusters_.data(), cluster_count_}; }
+  std::span<const ScanCluster> clusters() const { return {clusters_.data(), cluster_count_}; }
+  // The return with which a cluster begins: its rightmost, in a full circle the one behind its
+  // widest gap in bearing.
+  std::uint32_t first_return(std::size_t cluster) const { return first_return_[cluster]; }
+
+ private:
+  void split_into_runs(const ScanReturns& returns);
+  void link_runs(std::span<const Vec2> points);
+  bool runs_linked(const Run& a, const Run& b, std::span<const Vec2> points) const;
+  void list_clusters(const ScanReturns& returns);
+  void begin_behind_widest_gap(const ScanReturns& returns);
+
+  double link_distance_m_;
+  double thinning_distance_m_;
+  std::vector<Run> runs_;
+  std::vector<std::uint32_t> listed_;  // returns that clusters list
+  std::vector<ScanCluster> clusters_;  // the first cluster_count_ are of this scan
+  std::vector<std::uint32_t> first_return_;
+  std::size_t cluster_count_ = 0;
+};
+
+}  // namespace voronaut
