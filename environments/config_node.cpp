@@ -146,23 +146,21 @@ std::vector<ConfigNode> ConfigNode::items() const {
   return nodes;
 }
 
-std::vector<ConfigNode> ConfigNode::items(std::size_t exactly) const {
-  if (!is_list() || tree_->items.size() != exactly)
-    throw expected("a list of " + std::to_string(exactly));
+std::vector<ConfigNode> ConfigNode::items(std::size_t exactly, std::string_view form) const {
+  if (!is_list() || tree_->items.size() != exactly) throw expected(std::string(form));
   return items();
+}
+
+std::vector<double> ConfigNode::numbers(std::size_t exactly, std::string_view form, double lo,
+                                        double hi) const {
+  std::vector<double> values;
+  for (const ConfigNode& item : items(exactly, form)) values.push_back(item.number(lo, hi));
+  return values;
 }
 
 std::vector<std::string> ConfigNode::texts() const {
   std::vector<std::string> values;
   for (const ConfigNode& item : items()) values.push_back(item.text());
-  return values;
-}
-
-std::vector<double> ConfigNode::numbers(std::size_t exactly, double lo, double hi) const {
-  if (!is_list() || tree_->items.size() != exactly)
-    throw expected("a list of " + std::to_string(exactly) + " numbers");
-  std::vector<double> values;
-  for (const ConfigNode& item : items()) values.push_back(item.number(lo, hi));
   return values;
 }
 

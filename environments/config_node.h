@@ -46,12 +46,13 @@ class ConfigNode {
   // One of these names; its index.
   std::size_t choice(const std::vector<std::string>& names) const;
 
-  std::vector<ConfigNode> items() const;                     // of a list
-  std::vector<ConfigNode> items(std::size_t exactly) const;  // of a list of that length
-  std::vector<std::string> texts() const;                    // of a list of texts
-  // Of a list of that many numbers within inclusive bounds.
-  std::vector<double> numbers(std::size_t exactly, double lo = -kUnbounded,
+  std::vector<ConfigNode> items() const;  // of a list
+  // Of a list of so many; `form` says what is expected, like "[x, y]".
+  std::vector<ConfigNode> items(std::size_t exactly, std::string_view form) const;
+  // The same of numbers within inclusive bounds.
+  std::vector<double> numbers(std::size_t exactly, std::string_view form, double lo = -kUnbounded,
                               double hi = kUnbounded) const;
+  std::vector<std::string> texts() const;  // of a list of texts
 
   // Of a map: its keys in the order of the file, a value that may be missing, one that must be
   // there.

@@ -15,12 +15,12 @@ namespace {
 constexpr double kFar = kFarthestCoordinate;
 
 Vec2 read_point(const ConfigNode& node) {
-  const std::vector<double> xy = node.numbers(2, -kFar, kFar);
+  const std::vector<double> xy = node.numbers(2, "[x, y]", -kFar, kFar);
   return {xy[0], xy[1]};
 }
 
 Bounds read_bounds(const ConfigNode& node) {
-  const std::vector<ConfigNode> corners = node.items(2);
+  const std::vector<ConfigNode> corners = node.items(2, "[[xmin, ymin], [xmax, ymax]]");
   const Bounds bounds{read_point(corners[0]), read_point(corners[1])};
   if (!(bounds.min.array() < bounds.max.array()).all())
     throw node.error("expected [[xmin, ymin], [xmax, ymax]] with xmin < xmax and ymin < ymax");
@@ -28,14 +28,14 @@ Bounds read_bounds(const ConfigNode& node) {
 }
 
 Circle read_circle(const ConfigNode& node) {
-  const std::vector<ConfigNode> values = node.items(3);
+  const std::vector<ConfigNode> values = node.items(3, "[x, y, r]");
   const double x = values[0].number(-kFar, kFar);
   const double y = values[1].number(-kFar, kFar);
   return {{x, y}, values[2].number(kSmallestRadius, kLargestRadius)};
 }
 
 Polygon read_box(const ConfigNode& node) {
-  const std::vector<double> limits = node.numbers(4, -kFar, kFar);
+  const std::vector<double> limits = node.numbers(4, "[xmin, ymin, xmax, ymax]", -kFar, kFar);
   if (limits[0] >= limits[2] || limits[1] >= limits[3])
     throw node.error("expected [xmin, ymin, xmax, ymax] with xmin < xmax and ymin < ymax");
   return box(Bounds{{limits[0], limits[1]}, {limits[2], limits[3]}});
@@ -56,7 +56,7 @@ Polygon read_polygon(const ConfigNode& node) {
 }
 
 Segment read_segment(const ConfigNode& node) {
-  const std::vector<ConfigNode> ends = node.items(2);
+  const std::vector<ConfigNode> ends = node.items(2, "[[x, y], [x, y]]");
   const Segment segment{read_point(ends[0]), read_point(ends[1])};
   if (segment.a == segment.b) throw node.error("both ends are the same point");
   return segment;
@@ -128,9 +128,18 @@ Specs read_fixed(const ConfigNode& entry, const std::string& source, const std::
   return {ScenarioSpec::fixed(task, world, start, goal, read_heading(entry))};
 }
 
+// The file that a key names.
+std::string existing_file(const ConfigNode& node) {
+  const std::string path = node.beside(node.text());
+  std::error_code ignored;
+  if (!std::filesystem::is_regular_file(path, ignored))
+    throw node.error("no file " + in_quotes(path));
+  return path;
+}
+
 Shapes read_foreign_circles(const ConfigNode& file) {
   Shapes shapes;
-  shapes.circles = read_circles_csv(file.beside(file.text()));
+  shapes.circles = read_circles_csv(existing_file(file));
   return shapes;
 }
 
@@ -178,7 +187,7 @@ Specs read_scenario_file(const ConfigNode& entry, const DataLocation& data) {
   entry.allow_only({"file"});
   const ConfigNode file = entry.child("file");
   if (entry.path().empty()) throw file.error("a scenario file cannot name another one");
-  return read_scenarios(ConfigNode::read_file(file.beside(file.text())), data);
+  return read_scenarios(ConfigNode::read_file(existing_file(file)), data);
 }
 
 struct Source {
