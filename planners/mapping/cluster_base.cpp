@@ -83,8 +83,9 @@ ClusterId ClusterBase::component_of(ClusterId id) const {
 std::size_t ClusterBase::merge_components(std::vector<Pair>& pairs) {
   in_pairs_.clear();
   for (const Pair& pair : pairs) {
-    const auto [older, younger] = std::minmax(component_of(pair.a), component_of(pair.b));
-    if (older != younger) clusters_[younger].component = older;
+    const ClusterId a = component_of(pair.a);
+    const ClusterId b = component_of(pair.b);
+    clusters_[std::max(a, b)].component = std::min(a, b);
     in_pairs_.push_back(pair.a);
     in_pairs_.push_back(pair.b);
   }
