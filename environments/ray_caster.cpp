@@ -185,7 +185,7 @@ class FanSweep {
 
 double cast_ray(const ShapeIndex& shapes, const Vec2& origin, const Vec2& direction,
                 double max_range_m) {
-  if (shapes.is_inside_solid(origin)) return 0;
+  if (shapes.is_inside_polygon(origin)) return 0;
   double nearest_m = max_range_m;
   shapes.walk(
       origin, direction, max_range_m,
@@ -212,7 +212,7 @@ void cast_fan(const ShapeIndex& shapes, const Pose2& sensor, const BeamFan& fan,
               std::span<double> range_m) {
   std::fill(range_m.begin(), range_m.end(), max_range_m);
   FanSweep sweep(sensor, fan, max_range_m, range_m);
-  if (!shapes.is_inside_solid(sensor.p_world)) {
+  if (!shapes.is_inside_polygon(sensor.p_world)) {
     shapes.visit(
         sweep.area(), [&](std::uint32_t i) { sweep.circle(shapes.circles()[i]); },
         [&](std::uint32_t i) { sweep.wall(shapes.edges()[i]); });

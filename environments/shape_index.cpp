@@ -103,11 +103,10 @@ void ShapeIndex::lay_out_cells(double cell_m) {
   for (const Segment& e : edges_) area = hull_of(area, bounds_of(e));
   const Vec2 size_m = area.max - area.min;
   const auto count = static_cast<double>(circles_.size() + edges_.size());
-  // Measured on forests of 0.05 to 0.2 circles per m2: half a cell per primitive is the best
-  // compromise of fan sweeps, which like large cells, and single rays.
-  if (cell_m <= 0) cell_m = std::sqrt(2 * size_m.x() * size_m.y() / count);
+  // Four cells per primitive: single rays and swept discs cost least, fan sweeps hardly care.
+  if (cell_m <= 0) cell_m = std::sqrt(size_m.x() * size_m.y() / count) / 2;
   if (cell_m <= 0) cell_m = std::max(size_m.maxCoeff() / count, 1.0);
-  while ((size_m.x() / cell_m + 1) * (size_m.y() / cell_m + 1) > 4 * count + 64) cell_m *= 1.25;
+  while ((size_m.x() / cell_m + 1) * (size_m.y() / cell_m + 1) > 5 * count + 64) cell_m *= 1.25;
   cell_m_ = cell_m;
   cells_per_m_ = 1 / cell_m;
   origin_ = area.min - Vec2::Constant(kCellMargin * cell_m);
@@ -200,11 +199,24 @@ double ShapeIndex::clearance_m(const Vec2& p, double within_m) const {
   return nearest_m;
 }
 
-bool ShapeIndex::is_inside_solid(const Vec2& p) const { return clearance_m(p, 0) < 0; }
+bool ShapeIndex::is_inside_polygon(const Vec2& p) const {
+  if (solids_.empty()) return false;
+  const std::size_t home =
+      cell(std::clamp(column(p.x()), 0, columns_ - 1), std::clamp(row(p.y()), 0, rows_ - 1));
+  for (std::uint32_t k = solids_at_.start[home]; k < solids_at_.start[home + 1]; ++k) {
+    const Solid& solid = solids_[solids_at_.entry[k]];
+    bool inside = false;
+    for (std::uint32_t i = solid.first_edge; i < solid.last_edge; ++i) {
+      if (crosses_rightward_ray(edges_[i], p)) inside = !inside;
+    }
+    if (inside) return true;
+  }
+  return false;
+}
 
 bool ShapeIndex::segment_is_clear(const Vec2& a, const Vec2& b, double radius_m) const {
   if (columns_ == 0) return true;
-  if (!solids_.empty() && is_inside_solid(a)) return false;
+  if (is_inside_polygon(a)) return false;
   const Sweep sweep(a, b, radius_m);
   const auto circle_count = static_cast<std::uint32_t>(circles_.size());
   return for_cells_near({a, b}, radius_m, [&](int y, int x0, int x1) {
@@ -219,56 +231,49 @@ bool ShapeIndex::segment_is_clear(const Vec2& a, const Vec2& b, double radius_m)
   });
 }
 
+// Where a ray from outside gets into both slabs of the grid, +infinity if it does not.
+double ShapeIndex::enters_grid_at_m(const Vec2& from, const Vec2& per_m) const {
+  double enter_m = 0;
+  double leave_m = kInfinity;
+  const Vec2 size_m(columns_ * cell_m_, rows_ * cell_m_);
+  for (const int axis : {0, 1}) {
+    if (std::isinf(per_m[axis])) {
+      if (from[axis] < 0 || from[axis] >= size_m[axis]) return kInfinity;
+      continue;
+    }
+    const double low_m = -from[axis] * per_m[axis];
+    const double high_m = (size_m[axis] - from[axis]) * per_m[axis];
+    enter_m = std::max(enter_m, std::min(low_m, high_m));
+    leave_m = std::min(leave_m, std::max(low_m, high_m));
+  }
+  return enter_m <= leave_m ? enter_m : kInfinity;
+}
+
 ShapeIndex::CellWalk::CellWalk(const ShapeIndex& index, const Vec2& p, const Vec2& direction,
                                double range)
     : range_m(range) {
-  const double width_m = index.columns_ * index.cell_m_;
-  const double height_m = index.rows_ * index.cell_m_;
-  // Clip the ray to the grid: the part in both slabs.
-  double exit_m = range;
-  const auto clip = [&](double from, double slope, double size_m) {
-    if (slope == 0) {
-      if (from < 0 || from >= size_m) exit_m = -1;
-      return;
-    }
-    const double t0 = -from / slope;
-    const double t1 = (size_m - from) / slope;
-    entered_m = std::max(entered_m, std::min(t0, t1));
-    exit_m = std::min(exit_m, std::max(t0, t1));
-  };
   const Vec2 from = p - index.origin_;
-  clip(from.x(), direction.x(), width_m);
-  clip(from.y(), direction.y(), height_m);
-  if (entered_m > exit_m) {
-    end_x = x;
-    return;
+  const Vec2 per_m(1 / direction.x(), 1 / direction.y());
+  Vec2 entry = from;
+  if (from.x() < 0 || from.y() < 0 || from.x() >= index.columns_ * index.cell_m_ ||
+      from.y() >= index.rows_ * index.cell_m_) {
+    entered_m = index.enters_grid_at_m(from, per_m);
+    if (!(entered_m <= range)) return;
+    entry += entered_m * direction;
   }
-  const Vec2 entry = from + entered_m * direction;
   x = std::clamp(static_cast<int>(entry.x() * index.cells_per_m_), 0, index.columns_ - 1);
   y = std::clamp(static_cast<int>(entry.y() * index.cells_per_m_), 0, index.rows_ - 1);
-  step_x = direction.x() < 0 ? -1 : 1;
-  step_y = direction.y() < 0 ? -1 : 1;
-  end_x = direction.x() < 0 ? -1 : index.columns_;
-  end_y = direction.y() < 0 ? -1 : index.rows_;
-  const auto first_crossing = [&](int at, double start, double slope) {
-    if (slope == 0) return kInfinity;
-    return ((at + (slope > 0 ? 1 : 0)) * index.cell_m_ - start) / slope;
-  };
-  next_x_m = first_crossing(x, from.x(), direction.x());
-  next_y_m = first_crossing(y, from.y(), direction.y());
-  across_x_m = index.cell_m_ / std::abs(direction.x());
-  across_y_m = index.cell_m_ / std::abs(direction.y());
-}
-
-void ShapeIndex::CellWalk::advance() {
-  entered_m = leave_m();
-  if (next_x_m < next_y_m) {
-    x += step_x;
-    next_x_m += across_x_m;
-  } else {
-    y += step_y;
-    next_y_m += across_y_m;
-  }
+  const bool right = direction.x() >= 0;
+  const bool up = direction.y() >= 0;
+  step_x = right ? 1 : -1;
+  step_y = up ? 1 : -1;
+  end_x = right ? index.columns_ : -1;
+  end_y = up ? index.rows_ : -1;
+  across_x_m = index.cell_m_ * std::abs(per_m.x());
+  across_y_m = index.cell_m_ * std::abs(per_m.y());
+  // A ray along an axis never leaves its row or column.
+  next_x_m = direction.x() == 0 ? kInfinity : (index.cell_m_ * (x + right) - from.x()) * per_m.x();
+  next_y_m = direction.y() == 0 ? kInfinity : (index.cell_m_ * (y + up) - from.y()) * per_m.y();
 }
 
 }  // namespace voronaut

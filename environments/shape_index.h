@@ -21,7 +21,7 @@ class ShapeIndex {
  public:
   ShapeIndex() = default;  // no shapes
   // Expects validated shapes. cell_m = 0 lets the density of primitives choose. O(shapes + cells),
-  // and there are at most 4 cells per primitive plus a constant.
+  // and there are at most 5 cells per primitive plus a constant.
   explicit ShapeIndex(const Shapes& shapes, double cell_m = 0);
 
   std::span<const Circle> circles() const { return circles_; }
@@ -31,8 +31,8 @@ class ShapeIndex {
   // shapes.h defines it. O(primitives in reach).
   double clearance_m(const Vec2& p,
                      double within_m = std::numeric_limits<double>::infinity()) const;
-  // Whether p lies strictly inside a solid.
-  bool is_inside_solid(const Vec2& p) const;
+  // Whether p lies inside a polygon; either answer on its boundary. O(vertices of those near p).
+  bool is_inside_polygon(const Vec2& p) const;
   // Whether a disc moved from a to b stays at least radius_m > 0 from every shape: exact, no steps;
   // contact at exactly radius_m is clear. O(primitives within reach of the cells it sweeps).
   bool segment_is_clear(const Vec2& a, const Vec2& b, double radius_m) const;
@@ -76,7 +76,16 @@ class ShapeIndex {
     CellWalk(const ShapeIndex& index, const Vec2& p, const Vec2& direction, double range_m);
     bool inside() const { return x != end_x && y != end_y && entered_m <= range_m; }
     double leave_m() const { return std::min(next_x_m, next_y_m); }
-    void advance();
+    void advance() {
+      entered_m = leave_m();
+      if (next_x_m < next_y_m) {
+        x += step_x;
+        next_x_m += across_x_m;
+      } else {
+        y += step_y;
+        next_y_m += across_y_m;
+      }
+    }
 
     int x = 0, y = 0, step_x = 1, step_y = 1;
     int end_x = 0, end_y = 0;               // first column and row past the grid
@@ -87,6 +96,7 @@ class ShapeIndex {
   };
 
   void lay_out_cells(double cell_m);
+  double enters_grid_at_m(const Vec2& from, const Vec2& per_m) const;
   // Calls cells(y, x0, x1) for the row pieces within pad_m of the segment, until it returns false.
   template <class OnCells>
   bool for_cells_near(const Segment& s, double pad_m, OnCells&& cells) const;
