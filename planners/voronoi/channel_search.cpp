@@ -1,0 +1,232 @@
+#include "voronaut/planners/voronoi/channel_search.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace voronaut {
+namespace {
+
+constexpr std::size_t kMaxNodes = 200'000;
+constexpr double kTie_m = 1e-9;
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+// Where the ray from `root` through `through` meets the gate, as a fraction from its left to its
+// right end; `left` and `right` are the cross products of the ray with the way to the ends.
+double fraction(double left, double right) { return left / (left - right); }
+
+}  // namespace
+
+std::optional<Channel> ChannelSearch::find(const DelaunayTriangulation& delaunay,
+                                           const Bounds& domain, double radius_m, const Vec2& start,
+                                           const Vec2& goal, double bound_m) {
+  delaunay_ = &delaunay;
+  domain_ = domain;
+  radius_m_ = radius_m;
+  bound_m_ = bound_m;
+  start_ = delaunay.rounded(start);
+  goal_ = delaunay.rounded(goal);
+  goal_triangle_ = delaunay.locate(goal);
+  nodes_.clear();
+  heap_.clear();
+  corner_cost_m_.assign(3 * delaunay.triangle_count(), kInfinity);
+  start_from(delaunay.locate(start));
+  while (!heap_.empty() && nodes_.size() < kMaxNodes) {
+    const std::int32_t top = heap_.front().node;
+    std::pop_heap(heap_.begin(), heap_.end());
+    heap_.pop_back();
+    const Node& node = nodes_[top];
+    if (node.at_goal) return trace(top);
+    if (node.root_corner >= 0 && node.cost_m > corner_cost_m_[node.root_corner] + kTie_m) continue;
+    expand(top);
+  }
+  return std::nullopt;
+}
+
+ChannelSearch::Gate ChannelSearch::gate(HalfEdgeId h) const {
+  const DelaunayTriangulation& d = *delaunay_;
+  const SiteId a = d.target(h), b = d.origin(h);  // left and right, seen from the triangle
+  Gate g{Vec2::Zero(), Vec2::Zero(), false, false, false};
+  if (d.twin(h) < 0) return g;
+  const Vec2& left = d.site(a);
+  const Vec2 across = d.site(b) - left;
+  const double length_m = across.norm();
+  double from = d.is_frame(a) ? 0 : radius_m_ / length_m;
+  double to = d.is_frame(b) ? 1 : 1 - radius_m_ / length_m;
+  g.left_corner = !d.is_frame(a);
+  g.right_corner = !d.is_frame(b);
+  for (int axis = 0; axis < 2; ++axis) {
+    if (across[axis] == 0) {
+      if (left[axis] < domain_.min[axis] || left[axis] > domain_.max[axis]) return g;
+      continue;
+    }
+    double near = (domain_.min[axis] - left[axis]) / across[axis];
+    double far = (domain_.max[axis] - left[axis]) / across[axis];
+    if (near > far) std::swap(near, far);
+    if (near > from) from = near, g.left_corner = false;
+    if (far < to) to = far, g.right_corner = false;
+  }
+  g.open = from <= to;
+  g.left = left + from * across;
+  g.right = left + to * across;
+  return g;
+}
+
+void ChannelSearch::start_from(TriangleId t) {
+  if (t == goal_triangle_) {
+    Node node{goal_, goal_, goal_, (goal_ - start_).norm(), -1, -1, -1, Bend::none,
+              false, false, true};
+    push(node);
+    return;
+  }
+  for (HalfEdgeId h = 3 * t; h < 3 * t + 3; ++h) {
+    const Gate g = gate(h);
+    if (!g.open) continue;
+    push({start_, g.left, g.right, 0, h, -1, -1, Bend::none, g.left_corner, g.right_corner, false});
+  }
+}
+
+void ChannelSearch::expand(std::int32_t index) {
+  const HalfEdgeId entry = delaunay_->twin(nodes_[index].gate);
+  if (DelaunayTriangulation::triangle(entry) == goal_triangle_) {
+    finish(index);
+    return;
+  }
+  cross(index, DelaunayTriangulation::previous(entry));
+  cross(index, DelaunayTriangulation::next(entry));
+}
+
+// Successors of a node on one of the other edges of the triangle that it enters: the part of that
+// gate within the cone, and the parts beside it, for which the path bends at an end of the
+// interval.
+void ChannelSearch::cross(std::int32_t index, HalfEdgeId exit) {
+  const Gate g = gate(exit);
+  if (!g.open) return;
+  const Node node = nodes_[index];
+  const Vec2 left_ray = node.left - node.root;
+  const Vec2 right_ray = node.right - node.root;
+  const double l0 = voronaut::cross(left_ray, g.left - node.root);
+  const double l1 = voronaut::cross(left_ray, g.right - node.root);
+  const double r0 = voronaut::cross(right_ray, g.left - node.root);
+  const double r1 = voronaut::cross(right_ray, g.right - node.root);
+  const double from = l0 <= 0 ? 0 : l1 >= 0 ? 1 : fraction(l0, l1);
+  const double to = r1 >= 0 ? 1 : r0 <= 0 ? 0 : fraction(r0, r1);
+  const auto at = [&](double t) -> Vec2 {
+    return t <= 0 ? g.left : t >= 1 ? g.right : Vec2(g.left + t * (g.right - g.left));
+  };
+  const bool beside_left = l0 > 0, all_left = beside_left && l1 >= 0;
+  const bool beside_right = r1 < 0, all_right = beside_right && r0 <= 0;
+  if (!all_left && !all_right && from <= to) {
+    Node child = node;
+    child.gate = exit;
+    child.parent = index;
+    child.bend = Bend::none;
+    child.left = at(from);
+    child.right = at(to);
+    child.left_corner = from <= 0 && g.left_corner;
+    child.right_corner = to >= 1 && g.right_corner;
+    push(child);
+  }
+  if (beside_left && node.left_corner) {
+    Node child = node;
+    child.gate = exit;
+    child.left = g.left;
+    child.right = at(from);
+    child.left_corner = g.left_corner;
+    child.right_corner = from >= 1 && g.right_corner;
+    if (turn(child, index, Bend::left)) push(child);
+  }
+  if (beside_right && node.right_corner) {
+    Node child = node;
+    child.gate = exit;
+    child.left = at(to);
+    child.right = g.right;
+    child.left_corner = to <= 0 && g.left_corner;
+    child.right_corner = g.right_corner;
+    if (turn(child, index, Bend::right)) push(child);
+  }
+}
+
+// Makes an end of the parent's interval the root of a child; false if a cheaper way there is known.
+bool ChannelSearch::turn(Node& child, std::int32_t index, Bend bend) {
+  const Node& parent = nodes_[index];
+  const Vec2& corner = bend == Bend::left ? parent.left : parent.right;
+  child.root_corner = bend == Bend::left ? parent.gate : delaunay_->twin(parent.gate);
+  child.cost_m = parent.cost_m + (corner - parent.root).norm();
+  child.root = corner;
+  child.parent = index;
+  child.bend = bend;
+  double& cheapest = corner_cost_m_[child.root_corner];
+  if (child.cost_m > cheapest + kTie_m) return false;
+  cheapest = std::min(cheapest, child.cost_m);
+  return true;
+}
+
+void ChannelSearch::finish(std::int32_t index) {
+  const Node node = nodes_[index];
+  Node last = node;
+  last.at_goal = true;
+  last.parent = index;
+  last.bend = Bend::none;
+  const Vec2 to_goal = goal_ - node.root;
+  if (voronaut::cross(node.left - node.root, to_goal) > 0) {
+    if (!node.left_corner || !turn(last, index, Bend::left)) return;
+  } else if (voronaut::cross(node.right - node.root, to_goal) < 0) {
+    if (!node.right_corner || !turn(last, index, Bend::right)) return;
+  }
+  last.cost_m += (goal_ - last.root).norm();
+  last.root = last.left = last.right = goal_;
+  push(last);
+}
+
+void ChannelSearch::push(const Node& node) {
+  const double estimate = node.at_goal ? node.cost_m : estimate_m(node);
+  if (estimate > bound_m_) return;
+  heap_.push_back({estimate, static_cast<std::int32_t>(nodes_.size())});
+  std::push_heap(heap_.begin(), heap_.end());
+  nodes_.push_back(node);
+}
+
+// Length of the shortest way from the start through the interval to the goal, as if nothing else
+// were there.
+double ChannelSearch::estimate_m(const Node& node) const {
+  Vec2 goal = goal_;
+  const Vec2& on_edge = delaunay_->site(delaunay_->origin(node.gate));
+  const Vec2 along = delaunay_->site(delaunay_->target(node.gate)) - on_edge;
+  const double goal_side = voronaut::cross(along, goal - on_edge);
+  if (goal_side > 0) {  // on the side that is left: the way back is as long as to its mirror image
+    const Vec2 normal = left_of(along);
+    goal -= (2 * goal_side / along.squaredNorm()) * normal;
+  }
+  const Vec2 to_goal = goal - node.root;
+  const Vec2* by = nullptr;
+  if (voronaut::cross(node.left - node.root, to_goal) > 0)
+    by = &node.left;
+  else if (voronaut::cross(node.right - node.root, to_goal) < 0)
+    by = &node.right;
+  if (!by) return node.cost_m + to_goal.norm();
+  return node.cost_m + (*by - node.root).norm() + (goal - *by).norm();
+}
+
+Channel ChannelSearch::trace(std::int32_t index) const {
+  Channel channel;
+  channel.length_m = nodes_[index].cost_m;
+  std::vector<std::int32_t> chain;
+  for (std::int32_t i = nodes_[index].at_goal ? nodes_[index].parent : index; i >= 0;
+       i = nodes_[i].parent)
+    chain.push_back(i);
+  std::reverse(chain.begin(), chain.end());
+  chain.push_back(index);
+  for (std::size_t k = 0; k < chain.size(); ++k) {
+    const Node& node = nodes_[chain[k]];
+    if (node.bend != Bend::none) {
+      const HalfEdgeId h = channel.gates.back();
+      const bool left = node.bend == Bend::left;
+      channel.turns.push_back(
+          {left ? delaunay_->target(h) : delaunay_->origin(h), left, channel.gates.size() - 1});
+    }
+    if (!node.at_goal) channel.gates.push_back(node.gate);
+  }
+  return channel;
+}
+
+}  // namespace voronaut

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "voronaut/environments/geometry.h"
+
+namespace voronaut {
+
+// Points in a grid of square cells, for exact swept-disc tests at a cost of the cells in reach.
+// Adding a point is O(1); points outside the area count to the cells at its border.
+class SiteCells {
+ public:
+  // Cells of cell_m, larger if the area would take more than 2^20 of them. Forgets all points.
+  void reset(const Bounds& area, double cell_m);
+  void add(const Vec2& p);
+  std::size_t size() const { return points_.size(); }
+
+  // True if no point is closer than radius_m to the segment a-b. O(cells in reach + their points).
+  bool swept_disc_is_clear(const Vec2& a, const Vec2& b, double radius_m) const;
+  // Index (in the order of adding) of the point deepest within radius_m of the segment, or -1.
+  std::int32_t deepest_within(const Vec2& a, const Vec2& b, double radius_m) const;
+
+ private:
+  // Calls f(index) for the points of all cells that the swept disc touches, until f returns false.
+  template <class F>
+  void for_each_near(const Vec2& a, const Vec2& b, double radius_m, F&& f) const;
+  int column(double x) const;
+  int row(double y) const;
+
+  Vec2 min_ = Vec2::Zero();
+  double cell_m_ = 1;
+  int columns_ = 1;
+  int rows_ = 1;
+  std::vector<std::int32_t> head_;
+  std::vector<std::int32_t> next_;
+  std::vector<Vec2> points_;
+};
+
+}  // namespace voronaut

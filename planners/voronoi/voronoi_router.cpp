@@ -1,0 +1,251 @@
+#include "voronaut/planners/voronoi/voronoi_router.h"
+
+#include <algorithm>
+#include <cstring>
+
+#include "voronaut/planners/voronoi/taut_path.h"
+
+namespace voronaut {
+namespace {
+
+// Pieces of a shortened route touch circles of the radius used; they are checked against one that
+// is smaller by this, and still larger than the clearance plus the rounding of a point.
+constexpr double kCheckMargin_m = 1e-6;
+static_assert(VoronoiRouter::kMargin_m - kCheckMargin_m >
+              DelaunayTriangulation::kRounding_m + 1e-6);
+
+// Bounds up to this half extent are the domain as they are; larger ones are cut to what is known.
+constexpr double kLargeHalfExtent_m = 1000;
+
+Bounds grown(const Bounds& b, double margin_m) {
+  return {b.min - Vec2::Constant(margin_m), b.max + Vec2::Constant(margin_m)};
+}
+
+Bounds common(const Bounds& a, const Bounds& b) {
+  return {a.min.cwiseMax(b.min), a.max.cwiseMin(b.max)};
+}
+
+bool contains(const Bounds& outer, const Bounds& inner) {
+  return outer.contains(inner.min) && outer.contains(inner.max);
+}
+
+std::vector<Terminal> terminals(const std::vector<Lead>& leads) {
+  std::vector<Terminal> all;
+  for (const Lead& lead : leads) all.push_back({lead.vertex, lead.length_m});
+  return all;
+}
+
+}  // namespace
+
+std::string_view reason(Route::Verdict verdict) {
+  switch (verdict) {
+    case Route::Verdict::found:
+      return "a path was found";
+    case Route::Verdict::start_closed:
+      return "the start is enclosed by known obstacles at the clearance asked for";
+    case Route::Verdict::goal_closed:
+      return "the goal is enclosed by known obstacles at the clearance asked for";
+    case Route::Verdict::not_connected:
+      return "known obstacles separate start and goal at the clearance asked for";
+    case Route::Verdict::unproven:
+      break;
+  }
+  return "no path was found; the start or the goal is closer to an obstacle than the clearance";
+}
+
+void VoronoiRouter::clear() {
+  points_.clear();
+  clearance_min_m_ = 0;
+  graph_is_current_ = false;
+}
+
+void VoronoiRouter::observe(std::span<const Vec2> points, const Bounds& bounds,
+                            double clearance_min_m, std::span<const Vec2> places) {
+  const bool continues = clearance_min_m == clearance_min_m_ && bounds.min == bounds_.min &&
+                         bounds.max == bounds_.max && points.size() >= points_.size() &&
+                         std::equal(points_.begin(), points_.end(), points.begin());
+  bounds_ = bounds;
+  clearance_min_m_ = clearance_min_m;
+  radius_m_ = clearance_min_m + kMargin_m;
+  const Bounds needed = domain_for(points, places);
+  if (!continues || !contains(domain_, needed)) {
+    // Room to spare where the bounds leave it, so that the next points do not force a rebuild.
+    const Vec2 size = needed.max - needed.min;
+    domain_ = common(bounds, grown(needed, 0.5 * size.maxCoeff() + 4 * radius_m_));
+    rebuild(points);
+    return;
+  }
+  if (points.size() == points_.size()) return;
+  for (const Vec2& p : points.subspan(points_.size())) add(p);
+  points_.assign(points.begin(), points.end());
+  graph_is_current_ = false;
+}
+
+// The least area that decides: the bounds, or what is known of very large ones and a ring around
+// it. Whoever leaves that ring may as well follow it.
+Bounds VoronoiRouter::domain_for(std::span<const Vec2> points, std::span<const Vec2> places) const {
+  if ((0.5 * (bounds_.max - bounds_.min)).maxCoeff() <= kLargeHalfExtent_m) return bounds_;
+  const Bounds matters = grown(bounds_, radius_m_);
+  Bounds box{places.front(), places.front()};
+  const auto include = [&](const Vec2& p) { box = {box.min.cwiseMin(p), box.max.cwiseMax(p)}; };
+  for (const Vec2& p : places) include(p);
+  for (const Vec2& p : points)
+    if (matters.contains(p)) include(p);
+  return common(bounds_, grown(box, 2 * radius_m_));
+}
+
+void VoronoiRouter::rebuild(std::span<const Vec2> points) {
+  ++rebuilds_;
+  const Vec2 size = domain_.max - domain_.min;
+  // Corners far enough to bind nothing, and to leave room for points just outside the domain.
+  delaunay_.reset(grown(domain_, 0.25 * size.maxCoeff() + 4 * radius_m_));
+  cells_.reset(grown(domain_, radius_m_), radius_m_);
+  for (const Vec2& p : points) add(p);
+  points_.assign(points.begin(), points.end());
+  graph_is_current_ = false;
+}
+
+void VoronoiRouter::add(const Vec2& p) {
+  if (!grown(domain_, radius_m_).contains(p)) return;
+  const std::size_t before = delaunay_.site_count();
+  const SiteId s = delaunay_.insert(p);
+  if (delaunay_.site_count() > before) cells_.add(delaunay_.site(s));
+}
+
+const VoronoiGraph& VoronoiRouter::graph() {
+  if (!graph_is_current_) graph_.build(delaunay_, domain_, radius_m_);
+  graph_is_current_ = true;
+  return graph_;
+}
+
+Route VoronoiRouter::route(const RouteQuery& query) {
+  Route route;
+  if (cells_.swept_disc_is_clear(query.start, query.goal, radius_m_)) {
+    route.points = {query.start, query.goal};
+  } else {
+    graph();
+    const Approach from = approach(query.start, query.motion_is_clear);
+    const Approach to = approach(query.goal, query.motion_is_clear);
+    if (!along_graph(query, from, to, route.points)) {
+      route.verdict = verdict_of_failure(from, to, query.start, query.goal);
+      return route;
+    }
+    shorten(query, from, to, route.points);
+  }
+  route.verdict = Route::Verdict::found;
+  route.length_m = length_m(route.points);
+  return route;
+}
+
+VoronoiRouter::Approach VoronoiRouter::approach(const Vec2& p,
+                                                const MotionCheck& motion_is_clear) const {
+  Approach a;
+  a.retraction = retract(delaunay_, graph_, p);
+  a.relaxed = a.retraction.clearance_m < radius_m_;
+  if (!a.relaxed)
+    a.leads = leads(graph_, a.retraction, p);
+  else if (motion_is_clear)
+    a.leads = relaxed_leads(delaunay_, graph_, a.retraction, p, motion_is_clear);
+  return a;
+}
+
+bool VoronoiRouter::along_graph(const RouteQuery& query, const Approach& from, const Approach& to,
+                                std::vector<Vec2>& points) {
+  const Retraction &s = from.retraction, &g = to.retraction;
+  if (!from.relaxed && !to.relaxed && s.ends == g.ends &&
+      graph_.is_clear(s.landing, g.landing, s.sites[0]) &&
+      graph_.is_clear(s.landing, g.landing, s.sites[1])) {
+    points = {query.start, s.landing, g.landing, query.goal};
+    return true;
+  }
+  if (from.leads.empty() || to.leads.empty()) return false;
+  if (!search_.run(graph_, terminals(from.leads), terminals(to.leads), query.goal, found_))
+    return false;
+  points = from.leads[found_.start].points;
+  for (std::size_t i = 1; i < found_.vertices.size(); ++i)
+    points.push_back(graph_.vertices()[found_.vertices[i]]);
+  const std::vector<Vec2>& tail = to.leads[found_.goal].points;
+  points.insert(points.end(), tail.rbegin() + 1, tail.rend());
+  return true;
+}
+
+// The ways out of and into places that are too close to a site stay as they are; what lies between
+// them is shortened, and the ways are then bypassed as far as their own rules allow.
+void VoronoiRouter::shorten(const RouteQuery& query, const Approach& from, const Approach& to,
+                            std::vector<Vec2>& points) {
+  if (query.shortening == Shortening::none) return;
+  const std::size_t lead = from.relaxed ? from.leads[found_.start].points.size() - 1 : 0;
+  const std::size_t tail = to.relaxed ? to.leads[found_.goal].points.size() - 1 : 0;
+  if (lead + tail >= points.size()) return;
+  const auto body_end = points.end() - static_cast<std::ptrdiff_t>(tail);
+  std::vector<Vec2> body(points.begin() + static_cast<std::ptrdiff_t>(lead), body_end);
+  body = shortened(query.shortening, body);
+  std::vector<Vec2> whole(points.begin(), points.begin() + static_cast<std::ptrdiff_t>(lead));
+  whole.insert(whole.end(), body.begin(), body.end());
+  whole.insert(whole.end(), body_end, points.end());
+  if (from.relaxed) {
+    std::size_t next = whole.size() - 1;
+    while (next > 1 && !query.motion_is_clear(whole.front(), whole[next])) --next;
+    whole.erase(whole.begin() + 1, whole.begin() + static_cast<std::ptrdiff_t>(next));
+  }
+  if (to.relaxed) {
+    std::size_t last = 0;
+    while (last + 2 < whole.size() && !query.motion_is_clear(whole[last], whole.back())) ++last;
+    whole.erase(whole.begin() + static_cast<std::ptrdiff_t>(last) + 1, whole.end() - 1);
+  }
+  points.swap(whole);
+}
+
+std::vector<Vec2> VoronoiRouter::shortened(Shortening how, const std::vector<Vec2>& path) {
+  const TautSurroundings around{delaunay_, cells_, domain_, radius_m_, radius_m_ - kCheckMargin_m};
+  std::vector<Vec2> best = shortcut(around, path);
+  if (how == Shortening::shortcut) return best;
+  const auto channel = channels_.find(delaunay_, domain_, radius_m_, path.front(), path.back(),
+                                      length_m(best) + kMargin_m);
+  if (!channel) return best;
+  auto taut = pull_taut(around, *channel, path.front(), path.back());
+  return taut && length_m(*taut) < length_m(best) ? std::move(*taut) : best;
+}
+
+Route::Verdict VoronoiRouter::verdict_of_failure(const Approach& from, const Approach& to,
+                                                 const Vec2& start, const Vec2& goal) {
+  if (!from.relaxed && from.leads.empty()) {
+    const bool close = to.relaxed && (is_close(from.retraction.sites[0], goal) ||
+                                      is_close(from.retraction.sites[1], goal));
+    return close ? Route::Verdict::unproven : Route::Verdict::start_closed;
+  }
+  if (!to.relaxed && to.leads.empty()) {
+    const bool close = from.relaxed && (is_close(to.retraction.sites[0], start) ||
+                                        is_close(to.retraction.sites[1], start));
+    return close ? Route::Verdict::unproven : Route::Verdict::goal_closed;
+  }
+  if (!from.relaxed && !to.relaxed) return Route::Verdict::not_connected;
+  if (from.relaxed && to.relaxed) return Route::Verdict::unproven;
+  // One end has the full clearance: whatever is connected with it stays away from the other end's
+  // surroundings, or nothing is proved.
+  const Approach& sound = from.relaxed ? to : from;
+  const Vec2& relaxed = from.relaxed ? start : goal;
+  search_.run(graph_, terminals(sound.leads), {}, relaxed, found_);
+  return may_touch(relaxed) ? Route::Verdict::unproven : Route::Verdict::not_connected;
+}
+
+// Points of the disc of one clearance around p retract onto edges of cells that intersect it; the
+// sites of such cells are no farther from p than three radii.
+bool VoronoiRouter::is_close(SiteId s, const Vec2& p) const {
+  return (delaunay_.site(s) - p).norm() <= 3 * radius_m_;
+}
+
+bool VoronoiRouter::may_touch(const Vec2& p) const {
+  const auto half_edges = static_cast<HalfEdgeId>(3 * delaunay_.triangle_count());
+  for (HalfEdgeId h = 0; h < half_edges; ++h) {
+    if (!is_close(delaunay_.origin(h), p)) continue;
+    for (const VertexId v : graph_.dual(h))
+      if (v >= 0 && search_.reached(v)) return true;
+  }
+  const auto border = graph_.border();
+  return std::any_of(border.begin(), border.end(), [&](const VoronoiGraph::BorderPiece& piece) {
+    return is_close(piece.site, p) && (search_.reached(piece.from) || search_.reached(piece.to));
+  });
+}
+
+}  // namespace voronaut
