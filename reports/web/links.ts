@@ -1,0 +1,24 @@
+// Where a reader is, in the fragment of the address: #replay=ID,ID&t=SECONDS.
+
+export interface ReplayPlace {
+  trialIds: string[];
+  t_s: number | null;  // null: from the beginning
+}
+
+export function replayLink(trialIds: string[], t_s: number | null = null): string {
+  const ids = trialIds.map(encodeURIComponent).join(",");
+  return `#replay=${ids}${t_s === null ? "" : `&t=${t_s.toFixed(2)}`}`;
+}
+
+export function readReplayLink(fragment: string): ReplayPlace | null {
+  const match = /^#replay=([^&]+)(?:&t=([0-9.]+))?$/.exec(fragment);
+  if (!match) return null;
+  try {
+    return {
+      trialIds: match[1].split(",").map(decodeURIComponent),
+      t_s: match[2] === undefined ? null : Number(match[2]),
+    };
+  } catch {
+    return null;  // not written by replayLink
+  }
+}

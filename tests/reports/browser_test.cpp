@@ -1,0 +1,126 @@
+#include "browser.h"
+
+#include <cstdio>
+#include <filesystem>
+#include <map>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "synthetic_run.h"
+#include "voronaut/reports/html_report.h"
+#include "voronaut/reports/trace_json.h"
+
+namespace voronaut {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::Not;
+
+// Rendered reports and their pictures stay in the build folder, to be looked at.
+std::filesystem::path folder() {
+  const auto path = std::filesystem::path(VORONAUT_BINARY_DIR) / "report-pages";
+  std::filesystem::create_directories(path);
+  return path;
+}
+
+ReportInput input_of(const synthetic::Run& run, const std::string& title) {
+  ReportInput input;
+  input.title = title;
+  input.manifest_json =
+      R"({"version":"0.1.0","git_commit":"0123abcd","compiler":"GNU 12.2.0","seed":1,)"
+      R"("machine":{"cpu":"made up"},"command":"voronaut run synthetic.yaml --seed 1",)"
+      R"("suite_file":"scenarios:\n  - paper\n  - forest\n"})";
+  input.records = run.records;
+  input.summary = summarise(run.records);
+  input.worlds = run.worlds;
+  for (const Trace& trace : run.traces) {
+    input.trace_blobs[trace.trial_id] = compress_trace(trace);
+  }
+  return input;
+}
+
+std::size_t count(const std::string& text, const std::string& part) {
+  std::size_t n = 0;
+  for (auto at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) {
+    ++n;
+  }
+  return n;
+}
+
+class Browser : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    if (!browser::find_chromium()) {
+      GTEST_SKIP() << "chromium is not installed: the report was not opened in a browser";
+    }
+  }
+};
+
+TEST_F(Browser, ShowsTheNumbersOfTheRecords) {
+  synthetic::RunConfig config;
+  config.repetitions = 20;
+  const auto run = synthetic::make_run(config);
+  const auto file = folder() / "synthetic.html";
+  const ReportInput input = input_of(run, "A synthetic suite");
+  write_html_report(input, file);
+  const auto page = browser::load(file, "", 4000);
+  EXPECT_EQ(page.console, "");
+  EXPECT_THAT(page.dom, HasSubstr("data-ready=\"yes\""));
+  EXPECT_THAT(page.dom,
+              HasSubstr("trials <b><bdi>" + std::to_string(run.records.size()) + "</bdi>"));
+  for (const PlannerSummary& s : input.summary.groups) {
+    EXPECT_THAT(page.dom, HasSubstr(">" + std::to_string(s.success.successes) + "/" +
+                                    std::to_string(s.success.n) + ", 95 %"));
+    char median[32];
+    std::snprintf(median, sizeof median, "<span>%.3f<small>", s.path_ratio_median.value);
+    EXPECT_THAT(page.dom, HasSubstr(median));
+  }
+  EXPECT_EQ(count(page.dom, "<figure data-scene="), run.worlds.size());
+  EXPECT_EQ(count(page.dom, "class=\"track\""), run.traces.size());
+  EXPECT_EQ(count(page.dom, "data-plateau="), 2 * config.planners.size());
+  EXPECT_THAT(page.dom, HasSubstr("0123abcd"));
+}
+
+TEST_F(Browser, SurvivesHostileNames) {
+  synthetic::RunConfig config;
+  config.planners = {"</script><script>document.title='broken'</script>",
+                     "\"quotes\" & 'more' \\ {{data}}", "\u202Eمخطط\u202C", std::string(200, 'w')};
+  config.groups = {"<img src=x onerror=alert(1)>"};
+  config.scenarios_per_group = 1;
+  const auto run = synthetic::make_run(config);
+  const auto file = folder() / "hostile.html";
+  write_html_report(input_of(run, "</title><b>"), file);
+  const auto page = browser::load(file, "", 4000);
+  EXPECT_EQ(page.console, "");
+  EXPECT_THAT(page.dom, HasSubstr("data-ready=\"yes\""));
+  EXPECT_THAT(page.dom, HasSubstr("<title>&lt;/title&gt;&lt;b&gt;</title>"));
+  EXPECT_THAT(page.dom, Not(HasSubstr("<img")));
+  EXPECT_THAT(page.dom, HasSubstr("&lt;img src=x onerror=alert(1)&gt;"));
+  EXPECT_THAT(page.dom, HasSubstr("\"quotes\" &amp; 'more' \\ {{data}}"));
+  EXPECT_EQ(count(page.dom, "class=\"track\""), config.planners.size());
+}
+
+TEST_F(Browser, AnEmptyRunIsAReportToo) {
+  const auto file = folder() / "empty.html";
+  write_html_report(input_of({}, "Nothing ran"), file);
+  const auto page = browser::load(file, "", 2000);
+  EXPECT_EQ(page.console, "");
+  EXPECT_THAT(page.dom, HasSubstr("data-ready=\"yes\""));
+}
+
+TEST_F(Browser, LeavesPicturesOfThePages) {
+  synthetic::RunConfig config;
+  config.repetitions = 20;
+  const auto file = folder() / "synthetic.html";
+  write_html_report(input_of(synthetic::make_run(config), "A synthetic suite"), file);
+  for (const bool dark : {false, true}) {
+    const auto png = folder() / (dark ? "report-dark.png" : "report-light.png");
+    browser::screenshot(file, "", png, 1280, 4200, dark, 4000);
+    EXPECT_GT(std::filesystem::file_size(png), 100'000U);
+  }
+  browser::screenshot(file, "", folder() / "report-phone.png", 390, 3000, false, 4000);
+}
+
+}  // namespace
+}  // namespace voronaut
