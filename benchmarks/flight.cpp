@@ -2,6 +2,7 @@
 #include <stdexcept>
 
 #include "voronaut/benchmarks/episode.h"
+#include "voronaut/planners/navigation/shortcut.h"
 
 // The stages of the loop that fly() calls.
 namespace voronaut {
@@ -108,6 +109,9 @@ void Flight::plan(const VehicleState& state, double now_s) {
   if (plan.path.empty()) {
     tracker.drop();
     return;
+  }
+  if (spec.navigation.shortcut && !planner_traits.plans_on_every_scan) {
+    plan.path = shortcut(plan.path, problem.geometry());
   }
   if (keep_scans) log.plans.push_back(plan.path);
   tracker.follow(std::move(plan.path), plan.status == PlanStatus::to_goal);

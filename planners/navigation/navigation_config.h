@@ -18,6 +18,7 @@ enum class SpeedRule {
 struct NavigationConfig {
   Gaze gaze = Gaze::fixed;
   SpeedRule speed_rule = SpeedRule::unlimited;
+  bool shortcut = true;            // drop the corners that a planner's path does not need
   double reaction_time_s = 0.06;   // sensing period plus command delay
   double lookahead_base_m = 0.25;  // tracker: how far ahead of the projection it aims at rest
   double lookahead_per_speed_s = 0.35;
@@ -30,6 +31,7 @@ struct NavigationConfig {
     v.choice(
         "speed_rule", speed_rule,
         {{"unlimited", SpeedRule::unlimited}, {"stopping_distance", SpeedRule::stopping_distance}});
+    v.flag("shortcut", shortcut);
     v.number("reaction_time_s", reaction_time_s, 0, 5);
     v.number("lookahead_base_m", lookahead_base_m, 0.01, 10);
     v.number("lookahead_per_speed_s", lookahead_per_speed_s, 0, 10);

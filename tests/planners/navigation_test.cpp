@@ -3,6 +3,7 @@
 #include "voronaut/planners/navigation/gaze.h"
 #include "voronaut/planners/navigation/path_tracker.h"
 #include "voronaut/planners/navigation/replan_policy.h"
+#include "voronaut/planners/navigation/shortcut.h"
 #include "voronaut/planners/navigation/speed_rule.h"
 
 namespace voronaut {
@@ -55,6 +56,35 @@ TEST(GazePolicy, FixedNeverTurnsAndAlongThePathLooksAMetreAhead) {
   EXPECT_EQ(fixed.heading(tracker, Vec2(0, 0)), Vec2(1, 0));
   GazePolicy along(Gaze::path, Vec2(1, 0));
   EXPECT_NEAR((along.heading(tracker, Vec2(0, 0)) - Vec2(0, 1)).norm(), 0, 1e-12);
+}
+
+// A wall without thickness along x = 1 from y = -inf to y = top.
+class WallBelow : public KnownGeometry {
+ public:
+  explicit WallBelow(double top_m) : top_m_(top_m) {}
+  const ObstacleSnapshot& known_obstacles() const override { return kNothing; }
+  double clearance_min_m() const override { return 0; }
+  bool motion_is_clear(const Vec2& a, const Vec2& b) const override {
+    if ((a.x() < 1) == (b.x() < 1)) return true;
+    const double t = (1 - a.x()) / (b.x() - a.x());
+    return a.y() + t * (b.y() - a.y()) >= top_m_;
+  }
+  const Belief* belief() const override { return nullptr; }
+
+ private:
+  double top_m_;
+};
+
+TEST(Shortcut, KeepsOnlyTheCornersThatTheKnownObstaclesNeed) {
+  const Path zigzag = Path::through(
+      {Vec2(0, 0), Vec2(0.2, 0.9), Vec2(0.5, 0.1), Vec2(1, 1), Vec2(1.5, 0), Vec2(2, 0)});
+  const Path straight = shortcut(zigzag, WallBelow(-5));
+  EXPECT_EQ(straight.segments().size(), 1U);
+  EXPECT_DOUBLE_EQ(straight.length_m(), 2.0);
+  const Path around = shortcut(zigzag, WallBelow(0.8));
+  EXPECT_LT(around.length_m(), zigzag.length_m());
+  EXPECT_GT(around.segments().size(), 1U);
+  EXPECT_EQ(around.back(), Vec2(2, 0));
 }
 
 Scan clear_scan() {
