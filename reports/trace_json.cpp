@@ -152,7 +152,7 @@ json ranges_to_json(const std::vector<float>& range_m, double max_range_m) {
   json scan = json::array();
   std::int64_t previous = 0;
   for (const float range : range_m) {
-    const bool hit = static_cast<double>(range) < max_range_m;
+    const bool hit = range > 0.0F && static_cast<double>(range) < max_range_m;
     const std::int64_t code =
         hit ? std::llround(static_cast<double>(range) * kRangePerMetre) : kNoReturn;
     scan.push_back(code - previous);

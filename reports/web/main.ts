@@ -5,6 +5,7 @@ import { Filter, overview } from "./overview";
 import { Palette } from "./palette";
 import { ecdfPlot, Sample, stripPlot } from "./plots";
 import { manifestEntries, provenanceSection } from "./provenance";
+import { Replay } from "./replay";
 import { scenesSection } from "./scenes";
 
 function preferredTheme(): string {
@@ -21,7 +22,7 @@ function toggleTheme(): void {
 }
 
 // The facts of the manifest a reader looks for first, found by the last part of their name.
-const kHeadlineFacts = ["version", "commit", "compiler", "cpu", "machine", "seed", "date", "command"];
+const kHeadlineFacts = ["version", "commit", "compiler", "build_type", "cpu", "seed", "started_utc", "command"];
 
 function header(report: Report): HTMLElement {
   const reached = report.trials.filter((t) => t.outcome === kGoal).length;
@@ -62,7 +63,8 @@ function distributions(report: Report, palette: Palette, filter: Filter): HTMLEl
       "mean planning time per scan in \u00B5s (logarithmic)", "Measured on this machine.", samples,
       value("planning_time_us_mean"), palette, true),
     stripPlot("state-checks", "How much work is it?", "state checks per trial (logarithmic)",
-      "Counted, the same on every machine.", samples, (t) => Number(t.state_checks), palette, true));
+      "Counted, the same on every machine; a planner that asks for none has no row.", samples,
+      (t) => Number(t.state_checks), palette, true));
 }
 
 interface Part {
@@ -75,6 +77,7 @@ interface Part {
 function build(report: Report, page: HTMLElement): void {
   const palette = new Palette(report.planners);
   const filter: Filter = { group: "", vehicle: "" };
+  const replay = new Replay(report, palette);
   const parts: Part[] = [
     { id: "overview", title: "Who arrives, and how well", nav: "Overview",
       draw: (f) => overview(report, palette, f) },
@@ -82,6 +85,7 @@ function build(report: Report, page: HTMLElement): void {
       draw: (f) => distributions(report, palette, f) },
     { id: "scenes", title: "Scenarios", nav: "Scenarios",
       draw: (f) => scenesSection(report, palette, f) },
+    { id: "replay", title: "Replay", nav: "Replay", draw: () => replay.element },
     { id: "failures", title: "Failures", nav: "Failures",
       draw: (f) => failuresSection(report, palette, f) },
     { id: "provenance", title: "Where this comes from", nav: "Provenance",
@@ -106,6 +110,7 @@ function build(report: Report, page: HTMLElement): void {
     el("main", {}, ...parts.map((part, i) => el("section", { id: part.id, "aria-label": part.title },
       el("h2", {}, part.title), places[i]))));
   redraw();
+  replay.start();
 }
 
 function start(): void {

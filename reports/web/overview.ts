@@ -92,8 +92,6 @@ function detailTable(rows: PlannerSummary[], manyVehicles: boolean, palette: Pal
     { heading: "n", cell: (r) => String(r.n), order: (r) => r.n, title: "trials, failures included" },
     { heading: "goal reached", cell: (r) => rateCell(r.success),
       order: (r) => r.success.value ?? NaN, title: "of all n; Wilson 95 % interval" },
-    { heading: "ended otherwise", text: true, wrap: true, cell: otherOutcomes,
-      order: (r) => r.n - r.success.successes },
     estimate("path ratio\nmedian", "flown / shortest, of trials that reached the goal",
       "path_ratio_median", 3),
     estimate("path ratio\n95th percentile", "flown / shortest, of trials that reached the goal",
@@ -111,6 +109,8 @@ function detailTable(rows: PlannerSummary[], manyVehicles: boolean, palette: Pal
       "planning_time_us_median", 0),
     estimate("whole step\n\u00B5s", "median of the trials' means; measured, not deterministic",
       "step_time_us_median", 0),
+    { heading: "ended otherwise", text: true, wrap: true, cell: otherOutcomes,
+      order: (r) => r.n - r.success.successes },
   ];
   if (manyVehicles) {
     columns.splice(1, 0, { heading: "vehicle", text: true, cell: (r) => nameOf(vehicleOf(r)),
@@ -144,7 +144,9 @@ export function overview(report: Report, palette: Palette, filter: Filter): HTML
   const keep = (key: PlannerSummary | PlannerPairing): boolean =>
     (!filter.vehicle || vehicleOf(key) === filter.vehicle) &&
     (!filter.group || key.scenario_group === filter.group);
-  const rows = all.filter(keep);
+  const rows = all.filter(keep).sort((a, b) => Number(a.all_scenarios) - Number(b.all_scenarios) ||
+    byName(a.scenario_group, b.scenario_group) || byName(vehicleOf(a), vehicleOf(b)) ||
+    byName(a.planner, b.planner));
   const manyVehicles = report.vehicles.length > 1 && !filter.vehicle;
   const pairings = report.summary.pairings.filter(keep);
   const matrices = report.vehicles

@@ -48,8 +48,8 @@ export class Palette {
 const kOutcomes: Record<string, [sign: string, words: string]> = {
   goal_reached: ["\u2713", "goal reached"],
   collision: ["\u2715", "collision"],
-  out_of_bounds: ["\u21E5", "out of bounds"],
-  timeout: ["\u29D6", "timeout"],
+  out_of_bounds: ["\u2197", "out of bounds"],
+  timeout: ["T", "timeout"],
   stuck: ["\u25A0", "stuck"],
   infeasible: ["\u2205", "infeasible"],
   invalid: ["?", "invalid"],

@@ -116,6 +116,10 @@ function jitter(index: number): number {
 
 const kMostDots = 400;
 
+function shortened(name: string): string {
+  return name.length > 40 ? `${name.slice(0, 39)}\u2026` : name;
+}
+
 function drawBox(g: SVGElement, values: number[], x: (v: number) => number, mid: number,
                  half: number): void {
   const at = (p: number): number => quantile(values, p) as number;
@@ -136,7 +140,7 @@ export function stripPlot(
 ): HTMLElement {
   const rows = samples.map((s) => ({
     ...s, shown: s.trials.filter((t) => !Number.isNaN(value(t)) && (!logarithmic || value(t) > 0)),
-  }));
+  })).filter((row) => row.shown.length > 0);
   const all = rows.flatMap((r) => r.shown.map(value)).sort(ascending);
   const span: [number, number] = [all[0] ?? (logarithmic ? 1 : 0), all[all.length - 1] ?? 1];
   if (!logarithmic) span[0] = Math.min(0, span[0]);
@@ -163,8 +167,10 @@ export function stripPlot(
     if (row.shown.length > 0) {
       drawBox(g, row.shown.map(value).sort(ascending), x, mid, half);
     }
-    g.append(svg("path", { d: palette.symbolPath(row.planner, 60), fill: "var(--planner)",
-      transform: `translate(${kMargin.left - 14},${mid})` }));
+    g.append(
+      svg("path", { d: palette.symbolPath(row.planner, 60), fill: "var(--planner)",
+        transform: `translate(${kMargin.left - 14},${mid})` }),
+      svg("text", { class: "faint", x: kMargin.left + 4, y: mid - half - 6 }, shortened(row.planner)));
     root.append(g);
   }
   return figureOf(id, title,

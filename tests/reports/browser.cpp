@@ -98,7 +98,7 @@ std::optional<std::filesystem::path> find_chromium() {
 
 Page load(const std::filesystem::path& file, const std::string& fragment, int budget_ms) {
   const Scratch scratch;
-  run(scratch, file, fragment, "--window-size=1280,1600 --dump-dom", budget_ms);
+  run(scratch, file, fragment, "--window-size=1280,8000 --dump-dom", budget_ms);
   return {read_file(scratch / "out"), console_lines(read_file(scratch / "err"))};
 }
 

@@ -109,6 +109,41 @@ TEST_F(Browser, AnEmptyRunIsAReportToo) {
   EXPECT_THAT(page.dom, HasSubstr("data-ready=\"yes\""));
 }
 
+TEST_F(Browser, TheReplayShowsTheStoredStateOfTheMomentInTheAddress) {
+  const auto run = synthetic::make_run();
+  const auto file = folder() / "replay.html";
+  write_html_report(input_of(run, "A replay"), file);
+  const std::string scenario = run.records.back().scenario;
+  std::string ids;
+  std::vector<const Trace*> traces;
+  for (const RunRecord& record : run.records) {
+    if (record.scenario == scenario && record.repetition == 0) {
+      ids += (ids.empty() ? "" : ",") + record.trial_id;
+      for (const Trace& trace : run.traces) {
+        if (trace.trial_id == record.trial_id) {
+          traces.push_back(&trace);
+        }
+      }
+    }
+  }
+  ASSERT_EQ(traces.size(), 3U);
+  const auto page = browser::load(file, "#replay=" + ids + "&t=2.32", 4000);
+  EXPECT_EQ(page.console, "");
+  for (const Trace* trace : traces) {
+    const TraceFrame& frame = trace->frames.at(46);  // 2.30 s, the last scan by then
+    const auto at = page.dom.find("data-trial=\"" + trace->trial_id + "\" data-frame=\"46\"");
+    ASSERT_NE(at, std::string::npos) << trace->trial_id;
+    const std::string panel = page.dom.substr(at, page.dom.find("</figure>", at) - at);
+    char position[64];
+    std::snprintf(position, sizeof position, "<bdi>%.2f, %.2f m</bdi>", frame.x_m, frame.y_m);
+    EXPECT_THAT(panel, HasSubstr(position));
+    EXPECT_THAT(panel, HasSubstr("points known</dt><dd title=\"" +
+                                 std::to_string(frame.known_points) + "\">"));
+    EXPECT_THAT(panel, HasSubstr("<bdi>" + trace->modes.at(frame.mode) + "</bdi>"));
+  }
+  EXPECT_THAT(page.dom, HasSubstr("2.32 of "));
+}
+
 TEST_F(Browser, LeavesPicturesOfThePages) {
   synthetic::RunConfig config;
   config.repetitions = 20;
@@ -116,7 +151,7 @@ TEST_F(Browser, LeavesPicturesOfThePages) {
   write_html_report(input_of(synthetic::make_run(config), "A synthetic suite"), file);
   for (const bool dark : {false, true}) {
     const auto png = folder() / (dark ? "report-dark.png" : "report-light.png");
-    browser::screenshot(file, "", png, 1280, 4200, dark, 4000);
+    browser::screenshot(file, "", png, 1280, 6600, dark, 4000);
     EXPECT_GT(std::filesystem::file_size(png), 100'000U);
   }
   browser::screenshot(file, "", folder() / "report-phone.png", 390, 3000, false, 4000);

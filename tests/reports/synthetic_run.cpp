@@ -257,6 +257,8 @@ Run make_run(const RunConfig& config) {
           record.clearance_mean_m = record.clearance_min_m + 0.5;
           record.speed_mean_m_s = uniform(engine, 0.8, 2.0);
           record.speed_max_m_s = 2.5;
+          record.replans = static_cast<std::int64_t>(engine() % 40);
+          record.state_checks = 100 + static_cast<std::int64_t>(engine() % (1000 + 4000 * p));
           record.planning_time_us_mean = uniform(engine, 20, 200);
           record.step_time_us_mean = record.planning_time_us_mean + 30;
           record.reason = good ? "at rest at the goal" : "ended under way";

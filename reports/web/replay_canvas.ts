@@ -1,0 +1,335 @@
+// One moment of one trial on a canvas: the true world faint, what is known by then, what is seen now,
+// the plan, and the way so far coloured by speed.
+import { scaleLinear } from "d3-scale";
+
+import { kGoal, Trace, Trial, World } from "./data";
+import { outcomeSign } from "./palette";
+
+export interface Layers {
+  truth: boolean;
+  rays: boolean;
+  known: boolean;
+  hulls: boolean;
+  plan: boolean;
+  trail: boolean;
+}
+
+export interface Ink {
+  bg: string; ink: string; soft: string; line: string; obstacle: string; edge: string;
+  hull: string; ray: string; subgoal: string;
+}
+
+export function readInk(): Ink {
+  const style = getComputedStyle(document.documentElement);
+  const get = (name: string): string => style.getPropertyValue(name).trim();
+  return {
+    bg: get("--bg"), ink: get("--ink"), soft: get("--soft"), line: get("--line"),
+    obstacle: get("--obstacle"), edge: get("--obstacle-edge"), hull: get("--hull"),
+    ray: get("--ray"), subgoal: get("--subgoal"),
+  };
+}
+
+// Cividis (Nunez, Anderton, Renslow, doi:10.1371/journal.pone.0199239), sampled: even in lightness and
+// the same to colour-blind eyes. The ends are cut, so that both stand out from a light and a dark page.
+const kSpeedColours = ["#31446b", "#4d556b", "#666970", "#7d7c78", "#958f78", "#aea371", "#c8b866",
+  "#e4cf5b"];
+const kSpeedBins = 16;
+const speedColour = scaleLinear<string>().domain(kSpeedColours.map((_, i) => i / 7))
+  .range(kSpeedColours).clamp(true);
+
+export function speedRamp(): string[] {
+  return Array.from({ length: kSpeedBins }, (_, i) => speedColour(i / (kSpeedBins - 1)));
+}
+
+// The last frame that had been recorded by then.
+export function frameAt(trace: Trace, t_s: number): number {
+  const { t_s: times, count } = trace.frames;
+  let low = 0;
+  let high = count - 1;
+  while (low < high) {
+    const mid = (low + high + 1) >> 1;
+    if (times[mid] <= t_s + 1e-9) low = mid;
+    else high = mid - 1;
+  }
+  return low;
+}
+
+type Point = [number, number];
+
+function convexHull(points: Point[]): Point[] {
+  const sorted = [...points].sort((a, b) => a[0] - b[0] || a[1] - b[1]);
+  const half = (list: Point[]): Point[] => {
+    const out: Point[] = [];
+    for (const p of list) {
+      while (out.length >= 2) {
+        const [a, b] = [out[out.length - 2], out[out.length - 1]];
+        if ((b[0] - a[0]) * (p[1] - a[1]) - (b[1] - a[1]) * (p[0] - a[0]) > 0) break;
+        out.pop();
+      }
+      out.push(p);
+    }
+    out.pop();
+    return out;
+  };
+  return sorted.length < 3 ? sorted : [...half(sorted), ...half(sorted.reverse())];
+}
+
+// Hulls of what was known by then, grouped as at the end.
+export function hullsOf(trace: Trace, known: number): Point[][] {
+  const groups = new Map<number, Point[]>();
+  for (let i = 0; i < known; ++i) {
+    const label = trace.cluster_of[i];
+    const point: Point = [trace.known_points[2 * i], trace.known_points[2 * i + 1]];
+    const group = groups.get(label);
+    if (group) group.push(point);
+    else groups.set(label, [point]);
+  }
+  return [...groups.values()].map(convexHull);
+}
+
+// Beams go counter-clockwise from the rightmost; a full circle leaves out the one that would repeat.
+function rayEnds(trace: Trace, k: number): { ends: Point[]; hit: boolean[] } {
+  const f = trace.frames;
+  const scan = f.range_m[k];
+  const full = trace.field_of_view_rad > 2 * Math.PI - 1e-9;
+  const step = trace.field_of_view_rad / Math.max(1, full ? scan.length : scan.length - 1);
+  const heading = Math.atan2(f.heading_y[k], f.heading_x[k]);
+  const first = scan.length > 1 ? heading - trace.field_of_view_rad / 2 : heading;
+  const ends: Point[] = [];
+  const hit: boolean[] = [];
+  scan.forEach((range, i) => {
+    const angle = first + i * step;
+    ends.push([f.x_m[k] + range * Math.cos(angle), f.y_m[k] + range * Math.sin(angle)]);
+    hit.push(range < trace.max_range_m);
+  });
+  return { ends, hit };
+}
+
+export class Painter {
+  private readonly context: CanvasRenderingContext2D;
+  private scale = 1;
+
+  constructor(private readonly canvas: HTMLCanvasElement, private readonly world: World,
+              private readonly trace: Trace, private readonly trial: Trial,
+              private readonly speedMax: number) {
+    this.context = canvas.getContext("2d") as CanvasRenderingContext2D;
+    const [x0, y0, x1, y1] = world.bounds;
+    canvas.style.aspectRatio = `${x1 - x0} / ${y1 - y0}`;
+  }
+
+  paint(k: number, layers: Layers, ink: Ink, planner: string): void {
+    this.begin(ink);
+    if (layers.truth) this.paintTruth(ink);
+    if (layers.rays) this.paintRays(k, ink);
+    if (layers.known) this.paintKnown(k, ink);
+    if (layers.hulls) this.paintHulls(k, ink);
+    if (layers.plan) this.paintPlan(k, ink, planner);
+    if (layers.trail) this.paintTrail(k);
+    this.paintPlaces(ink);
+    this.paintBody(k, ink, planner);
+  }
+
+  // Metres, y up, 1 px of the page = 1 / scale metres.
+  private begin(ink: Ink): void {
+    const { canvas, context } = this;
+    const [x0, , x1, y1] = this.world.bounds;
+    const ratio = window.devicePixelRatio || 1;
+    const width = canvas.clientWidth || 320;
+    const height = canvas.clientHeight || 320;
+    canvas.width = Math.round(width * ratio);
+    canvas.height = Math.round(height * ratio);
+    this.scale = width / (x1 - x0);
+    context.setTransform(1, 0, 0, 1, 0, 0);
+    context.fillStyle = ink.bg;
+    context.fillRect(0, 0, canvas.width, canvas.height);
+    const s = this.scale * ratio;
+    context.setTransform(s, 0, 0, -s, -x0 * s, y1 * s);
+    context.lineJoin = "round";
+    context.lineCap = "round";
+  }
+
+  private px(pixels: number): number {
+    return pixels / this.scale;
+  }
+
+  private polyline(points: Iterable<Point>, closed: boolean): void {
+    const { context } = this;
+    context.beginPath();
+    for (const [x, y] of points) context.lineTo(x, y);
+    if (closed) context.closePath();
+  }
+
+  private flat(points: ArrayLike<number>): Point[] {
+    return Array.from({ length: points.length / 2 }, (_, i) => [points[2 * i], points[2 * i + 1]]);
+  }
+
+  private disc(x: number, y: number, r: number): void {
+    this.context.beginPath();
+    this.context.arc(x, y, r, 0, 2 * Math.PI);
+  }
+
+  private paintTruth(ink: Ink): void {
+    const { context, world } = this;
+    context.globalAlpha = 0.55;
+    context.fillStyle = ink.obstacle;
+    context.strokeStyle = ink.edge;
+    context.lineWidth = this.px(1);
+    for (const [x, y, r] of world.circles) {
+      this.disc(x, y, r);
+      context.fill();
+      context.stroke();
+    }
+    for (const polygon of world.polygons) {
+      this.polyline(this.flat(polygon), true);
+      context.fill();
+      context.stroke();
+    }
+    context.lineWidth = this.px(2.5);
+    for (const segment of world.segments) {
+      this.polyline(this.flat(segment), false);
+      context.stroke();
+    }
+    context.globalAlpha = 1;
+  }
+
+  private paintRays(k: number, ink: Ink): void {
+    const { context, trace } = this;
+    const { ends, hit } = rayEnds(trace, k);
+    if (ends.length === 0) return;
+    const here: Point = [trace.frames.x_m[k], trace.frames.y_m[k]];
+    context.fillStyle = ink.ray;
+    context.strokeStyle = ink.ray;
+    context.globalAlpha = 0.16;
+    this.polyline([here, ...ends], true);
+    context.fill();
+    context.globalAlpha = 0.35;
+    context.lineWidth = this.px(0.7);
+    context.beginPath();
+    const every = Math.max(1, Math.round(ends.length / 24));
+    for (let i = 0; i < ends.length; i += every) {
+      context.moveTo(...here);
+      context.lineTo(...ends[i]);
+    }
+    context.stroke();
+    context.globalAlpha = 1;
+    ends.forEach(([x, y], i) => {
+      if (!hit[i]) return;
+      this.disc(x, y, this.px(1.8));
+      context.fill();
+    });
+  }
+
+  private paintKnown(k: number, ink: Ink): void {
+    const { context, trace } = this;
+    context.fillStyle = ink.ink;
+    const size = this.px(2.4);
+    const known = Math.min(trace.frames.known[k], trace.known_points.length / 2);
+    for (let i = 0; i < known; ++i) {
+      context.fillRect(trace.known_points[2 * i] - size / 2, trace.known_points[2 * i + 1] - size / 2,
+        size, size);
+    }
+  }
+
+  private paintHulls(k: number, ink: Ink): void {
+    const { context, trace } = this;
+    context.strokeStyle = ink.hull;
+    context.lineWidth = this.px(1.3);
+    context.setLineDash([this.px(4), this.px(3)]);
+    for (const hull of hullsOf(trace, Math.min(trace.frames.known[k], trace.cluster_of.length))) {
+      this.polyline(hull, true);
+      context.stroke();
+    }
+    context.setLineDash([]);
+  }
+
+  private paintPlan(k: number, ink: Ink, planner: string): void {
+    const { context, trace } = this;
+    const plan = trace.plans[trace.frames.plan[k]];
+    context.strokeStyle = planner;
+    context.lineWidth = this.px(1.6);
+    if (plan) {
+      context.setLineDash([this.px(7), this.px(4)]);
+      this.polyline(this.flat(plan), false);
+      context.stroke();
+      context.setLineDash([]);
+    }
+    const [x, y] = [trace.frames.target_x_m[k], trace.frames.target_y_m[k]];
+    const arm = this.px(6);
+    context.strokeStyle = ink.subgoal;
+    context.lineWidth = this.px(2);
+    context.beginPath();
+    context.moveTo(x - arm, y - arm);
+    context.lineTo(x + arm, y + arm);
+    context.moveTo(x - arm, y + arm);
+    context.lineTo(x + arm, y - arm);
+    context.stroke();
+  }
+
+  private paintTrail(k: number): void {
+    const { context, trace: { frames } } = this;
+    const ramp = speedRamp();
+    context.lineWidth = this.px(3.4);
+    for (let i = 1; i <= k; ++i) {
+      const share = frames.speed_m_s[i] / Math.max(this.speedMax, 1e-9);
+      context.strokeStyle = ramp[Math.min(kSpeedBins - 1, Math.round(share * (kSpeedBins - 1)))];
+      context.beginPath();
+      context.moveTo(frames.x_m[i - 1], frames.y_m[i - 1]);
+      context.lineTo(frames.x_m[i], frames.y_m[i]);
+      context.stroke();
+    }
+  }
+
+  private paintPlaces(ink: Ink): void {
+    const { context, world } = this;
+    context.fillStyle = ink.bg;
+    context.strokeStyle = ink.ink;
+    context.lineWidth = this.px(1.6);
+    this.disc(world.start[0], world.start[1], this.px(5));
+    context.fill();
+    context.stroke();
+    const [x, y] = world.goal;
+    const d = this.px(6.5);
+    this.polyline([[x - d, y], [x, y + d], [x + d, y], [x, y - d]], true);
+    context.fill();
+    context.stroke();
+  }
+
+  private paintBody(k: number, ink: Ink, planner: string): void {
+    const { context, trace } = this;
+    const f = trace.frames;
+    const [x, y] = [f.x_m[k], f.y_m[k]];
+    context.strokeStyle = ink.soft;
+    context.lineWidth = this.px(1);
+    context.setLineDash([this.px(2), this.px(3)]);
+    this.disc(x, y, trace.clearance_min_m);
+    context.stroke();
+    context.setLineDash([]);
+    context.fillStyle = planner;
+    context.strokeStyle = ink.bg;
+    context.lineWidth = this.px(1.5);
+    this.disc(x, y, Math.max(trace.body_radius_m, this.px(4)));
+    context.fill();
+    context.stroke();
+    const nose = Math.max(trace.body_radius_m, this.px(4)) + this.px(7);
+    context.strokeStyle = planner;
+    context.lineWidth = this.px(2.5);
+    this.polyline([[x, y], [x + nose * f.heading_x[k], y + nose * f.heading_y[k]]], false);
+    context.stroke();
+    if (k === f.count - 1 && this.trial.outcome !== kGoal) this.paintSign(x, y, ink);
+  }
+
+  private paintSign(x: number, y: number, ink: Ink): void {
+    const { context, scale } = this;
+    context.save();
+    context.translate(x, y);
+    context.scale(1 / scale, -1 / scale);
+    context.font = "bold 22px sans-serif";
+    context.textAlign = "center";
+    context.lineWidth = 4;
+    context.strokeStyle = ink.bg;
+    context.fillStyle = ink.subgoal;
+    context.strokeText(outcomeSign(this.trial.outcome), 0, 8);
+    context.fillText(outcomeSign(this.trial.outcome), 0, 8);
+    context.restore();
+  }
+}

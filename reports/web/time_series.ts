@@ -1,0 +1,105 @@
+// Quantities over time, one line per trial, with the replay's moment as a cursor; a press goes there.
+import { axisBottom, axisLeft } from "d3-axis";
+import { scaleLinear } from "d3-scale";
+import { select } from "d3-selection";
+
+import { Frames, Trace, Trial } from "./data";
+import { csv, svg } from "./dom";
+import { Palette } from "./palette";
+import { figureOf } from "./plots";
+
+const kWidth = 560;
+const kHeight = 170;
+const kMargin = { top: 8, right: 12, bottom: 34, left: 52 };
+
+export interface Quantity {
+  id: string;
+  title: string;
+  unit: string;
+  lines: (frames: Frames) => Float64Array[];
+}
+
+const kDegrees = 180 / Math.PI;
+
+export const kQuantities: Quantity[] = [
+  { id: "speed", title: "Speed", unit: "m/s", lines: (f) => [f.speed_m_s] },
+  { id: "clearance", title: "Clearance, centre to surface", unit: "m", lines: (f) => [f.clearance_m] },
+  { id: "tilt", title: "Tilt", unit: "degrees", lines: (f) => [f.tilt_rad.map((v) => v * kDegrees)] },
+  { id: "planning", title: "Planning time per scan (measured)", unit: "\u00B5s",
+    lines: (f) => [f.planning_time_us] },
+  { id: "actuators", title: "Actuators (rotor speeds)", unit: "rad/s", lines: (f) => f.actuators },
+];
+
+export interface Series {
+  element: HTMLElement;
+  setTime: (t_s: number) => void;
+}
+
+function linePath(t: Float64Array, values: Float64Array, x: (v: number) => number,
+                  y: (v: number) => number): string {
+  let d = "";
+  let pen = "M";
+  values.forEach((v, i) => {
+    if (Number.isNaN(v)) {
+      pen = "M";
+      return;
+    }
+    d += `${pen}${x(t[i]).toFixed(1)} ${y(v).toFixed(1)}`;
+    pen = "L";
+  });
+  return d;
+}
+
+export function timeSeries(
+  quantity: Quantity, trials: Trial[], traces: Trace[], end_s: number, palette: Palette,
+  seek: (t_s: number) => void
+): Series | null {
+  const lines = traces.map((trace) => quantity.lines(trace.frames));
+  const all = lines.flat().flatMap((line) => Array.from(line)).filter((v) => !Number.isNaN(v));
+  const high = all.reduce((a, b) => Math.max(a, b), 0);
+  const low = all.reduce((a, b) => Math.min(a, b), 0);
+  if (high === low) return null;  // nothing was recorded
+  const x = scaleLinear().domain([0, end_s]).range([kMargin.left, kWidth - kMargin.right]);
+  const y = scaleLinear().domain([low, high]).nice()
+    .range([kHeight - kMargin.bottom, kMargin.top]);
+  const root = svg("svg", { viewBox: `0 0 ${kWidth} ${kHeight}`, role: "img",
+    "aria-label": `${quantity.title} in ${quantity.unit} over time` });
+  select(root).append("g").attr("class", "grid").attr("transform", `translate(${kMargin.left},0)`)
+    .call(axisLeft(y).ticks(4).tickSize(kMargin.left + kMargin.right - kWidth).tickFormat("" as any))
+    .select(".domain").remove();
+  select(root).append("g").attr("class", "axis")
+    .attr("transform", `translate(0,${kHeight - kMargin.bottom})`).call(axisBottom(x).ticks(8));
+  select(root).append("g").attr("class", "axis").attr("transform", `translate(${kMargin.left},0)`)
+    .call(axisLeft(y).ticks(4));
+  root.append(
+    svg("text", { class: "label", x: (kMargin.left + kWidth) / 2, y: kHeight - 4,
+      "text-anchor": "middle" }, "time in s"),
+    svg("text", { class: "label", x: 12, y: kHeight / 2 - 12, "text-anchor": "middle",
+      transform: `rotate(-90 12 ${kHeight / 2 - 12})` }, quantity.unit));
+  lines.forEach((list, i) => {
+    const g = svg("g", { class: palette.className(trials[i].planner) },
+      svg("title", {}, trials[i].planner));
+    for (const line of list) {
+      g.append(svg("path", { class: "curve", d: linePath(traces[i].frames.t_s, line, x, y),
+        "stroke-dasharray": palette.dash(trials[i].planner) }));
+    }
+    root.append(g);
+  });
+  const cursor = svg("line", { class: "cursor", y1: kMargin.top, y2: kHeight - kMargin.bottom });
+  root.append(cursor);
+  root.addEventListener("click", (event) => {
+    const box = root.getBoundingClientRect();
+    seek(x.invert((event.clientX - box.left) * kWidth / box.width));
+  });
+  const element = figureOf(`series-${quantity.id}`, `${quantity.title} in ${quantity.unit}`, "", root,
+    null, () => csv(["trial_id", "planner", "time_s", `${quantity.title} ${quantity.unit}`],
+      lines.flatMap((list, i) => list.flatMap((line) => Array.from(line, (v, k) =>
+        [trials[i].trial_id, trials[i].planner, traces[i].frames.t_s[k], v])))));
+  return {
+    element,
+    setTime: (t_s) => {
+      cursor.setAttribute("x1", String(x(t_s)));
+      cursor.setAttribute("x2", String(x(t_s)));
+    },
+  };
+}
