@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <cstdint>
+#include <sstream>
 #include <type_traits>
 
 #include "voronaut/benchmarks/sha256.h"
@@ -26,6 +27,17 @@ std::string deterministic_text(const RunRecord& record) {
     }
     text += "\n";
   });
+  return text;
+}
+
+std::string difference_text(const RunRecord& stored, const RunRecord& flown) {
+  std::istringstream old_lines(deterministic_text(stored));
+  std::istringstream new_lines(deterministic_text(flown));
+  std::string text;
+  for (std::string a, b; std::getline(old_lines, a) && std::getline(new_lines, b);) {
+    if (a == b) continue;
+    text += (text.empty() ? "" : "; ") + a + ", now " + b.substr(b.find('=') + 1);
+  }
   return text;
 }
 

@@ -11,6 +11,10 @@ namespace voronaut {
 // that reads back, absent ones empty, -0 as 0.
 std::string deterministic_text(const RunRecord& record);
 
+// Where the deterministic columns of two records differ, "name: a, now b; ..."; empty if they do
+// not.
+std::string difference_text(const RunRecord& stored, const RunRecord& flown);
+
 // SHA-256 over the deterministic columns of all records, which come ordered by trial id.
 std::string digest(const std::vector<RunRecord>& records);
 

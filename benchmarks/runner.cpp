@@ -76,8 +76,14 @@ PackedTrial result_of(const TrialSpec& spec, const ChildReport& report,
 // Hands out what is missing as jobs and takes in what they bring back.
 class SuiteRun {
  public:
-  SuiteRun(const SuiteConfig& suite, const FlyTrial& fly, ResultStore& store, Progress& progress)
-      : suite_(suite), fly_(fly), store_(store), progress_(progress), trials_(suite) {}
+  SuiteRun(const SuiteConfig& suite, const FlyTrial& fly, ShortestReferences& references,
+           ResultStore& store, Progress& progress)
+      : suite_(suite),
+        fly_(fly),
+        references_(references),
+        store_(store),
+        progress_(progress),
+        trials_(suite) {}
 
   RunReport report;
 
@@ -118,18 +124,18 @@ class SuiteRun {
 
   const SuiteConfig& suite_;
   const FlyTrial& fly_;
+  ShortestReferences& references_;
   ResultStore& store_;
   Progress& progress_;
   SuiteTrials trials_;
-  ShortestReferences references_;
   std::string drawn_world_;
 };
 
 }  // namespace
 
 RunReport run_suite(const SuiteConfig& suite, const FlyTrial& fly, std::size_t jobs,
-                    ResultStore& store, Progress& progress) {
-  SuiteRun run(suite, fly, store, progress);
+                    ShortestReferences& references, ResultStore& store, Progress& progress) {
+  SuiteRun run(suite, fly, references, store, progress);
   ProcessPool pool(jobs, suite.limits.process, ChildProcess::Streams::silent,
                    [&] { progress.tick(ChildProcess::Clock::now()); });
   run.report.interrupted = pool.run([&] { return run.next(); }) == ProcessPool::End::interrupted;

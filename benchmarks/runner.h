@@ -5,6 +5,7 @@
 #include <string>
 
 #include "voronaut/benchmarks/progress.h"
+#include "voronaut/benchmarks/shortest_references.h"
 #include "voronaut/benchmarks/suite_config.h"
 #include "voronaut/benchmarks/trial.h"
 #include "voronaut/reports/store.h"
@@ -24,7 +25,7 @@ struct RunReport {
 // suite's limits. Every trial becomes a row as soon as it has ended, whatever became of it. SIGINT
 // and SIGTERM end the run early; a run that was ended in any way is completed by the next.
 RunReport run_suite(const SuiteConfig& suite, const FlyTrial& fly, std::size_t jobs,
-                    ResultStore& store, Progress& progress);
+                    ShortestReferences& references, ResultStore& store, Progress& progress);
 
 // The same for one trial, apart from any store. What the planner prints stays visible.
 RunRecord run_alone(const TrialSpec& spec, const TrialLimits& limits, const FlyTrial& fly);

@@ -4,7 +4,6 @@
 
 #include "voronaut/benchmarks/trial_id.h"
 #include "voronaut/environments/random.h"
-#include "voronaut/environments/shortest_path.h"
 
 namespace voronaut {
 
@@ -79,11 +78,6 @@ PlannedTrial SuiteTrials::trial(const VehicleEntry& vehicle, const PlannerSpec& 
 void SuiteTrials::check_worlds(const SuiteConfig& suite) {
   for (const ScenarioSpec& source : suite.scenarios)
     source.instantiate(world_seed(suite, source.name(), 0));
-}
-
-void ShortestReferences::add_to(TrialSpec& spec) {
-  spec.shortest_length_m = length_m(spec, spec.vehicle.body_radius_m);
-  spec.shortest_at_clearance_m = length_m(spec, spec.vehicle.clearance_min_m);
 }
 
 }  // namespace voronaut

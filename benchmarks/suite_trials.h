@@ -1,10 +1,8 @@
 #pragma once
 
 #include <cstddef>
-#include <map>
 #include <optional>
 #include <string>
-#include <utility>
 
 #include "voronaut/benchmarks/suite_config.h"
 #include "voronaut/benchmarks/trial.h"
@@ -41,18 +39,6 @@ class SuiteTrials {
   Scenario scenario_;
   std::string world_id_;
   std::string refusal_;
-};
-
-// Lengths of the shortest paths on the true world, each computed once.
-class ShortestReferences {
- public:
-  // Fills shortest_length_m and shortest_at_clearance_m; NaN where there is no path.
-  void add_to(TrialSpec& spec);
-
- private:
-  double length_m(const TrialSpec& spec, double radius_m);
-
-  std::map<std::pair<std::string, double>, double> lengths_;  // by world id and radius
 };
 
 }  // namespace voronaut

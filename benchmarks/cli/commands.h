@@ -1,0 +1,29 @@
+#pragma once
+
+#include <iosfwd>
+#include <string>
+#include <vector>
+
+#include "voronaut/benchmarks/cli/options.h"
+#include "voronaut/planners/catalog.h"
+
+// The commands of the program. Each throws what it thinks of its input (ConfigError, StoreError,
+// std::invalid_argument, std::filesystem::filesystem_error) before it has written anything.
+namespace voronaut {
+
+struct CommandContext {
+  const PlannerCatalog& planners;
+  std::ostream& out;
+  std::ostream& err;
+  std::vector<std::string> command_line;
+};
+
+ExitCode execute(const RunOptions& options, const CommandContext& context);
+ExitCode execute(const SummaryOptions& options, const CommandContext& context);
+ExitCode execute(const ListOptions& options, const CommandContext& context);
+ExitCode execute(const CheckOptions& options, const CommandContext& context);
+ExitCode execute(const ReplayOptions& options, const CommandContext& context);
+ExitCode execute(const DigestOptions& options, const CommandContext& context);
+ExitCode execute(const ReportOptions& options, const CommandContext& context);
+
+}  // namespace voronaut

@@ -1,0 +1,69 @@
+#include <ostream>
+#include <stdexcept>
+
+#include "voronaut/benchmarks/cli/commands.h"
+#include "voronaut/benchmarks/digest.h"
+#include "voronaut/benchmarks/output_folder.h"
+#include "voronaut/benchmarks/runner.h"
+#include "voronaut/benchmarks/suite_trials.h"
+#include "voronaut/reports/summary_text.h"
+
+namespace voronaut {
+
+ExitCode execute(const SummaryOptions& options, const CommandContext& context) {
+  const Summary summary = summarise(OutputFolder::open(options.folder).store().records());
+  context.out << (options.json ? summary_json(summary) + "\n" : summary_text(summary));
+  return ExitCode::success;
+}
+
+ExitCode execute(const DigestOptions& options, const CommandContext& context) {
+  context.out << digest(OutputFolder::open(options.folder).store().records()) << "\n";
+  return ExitCode::success;
+}
+
+ExitCode execute(const ReportOptions& options, const CommandContext& context) {
+  const OutputFolder folder = OutputFolder::open(options.folder);
+  folder.write_csv();
+  folder.write_report();
+  context.out << folder.file("report.html").string() << "\n";
+  return ExitCode::success;
+}
+
+namespace {
+
+TrialSpec find_trial(const SuiteConfig& suite, const std::string& id) {
+  SuiteTrials trials(suite);
+  while (auto planned = trials.next()) {
+    if (planned->spec.trial_id != id) continue;
+    if (!planned->refusal.empty())
+      throw std::invalid_argument("trial " + id + ": " + planned->refusal);
+    return std::move(planned->spec);
+  }
+  throw std::invalid_argument("trial " + id +
+                              ": the suite does not make it any more; its scenario files, its data "
+                              "or the program have changed");
+}
+
+}  // namespace
+
+ExitCode execute(const ReplayOptions& options, const CommandContext& context) {
+  const OutputFolder folder = OutputFolder::open(options.folder);
+  const std::string id = folder.complete_id(options.trial_id);
+  const RunRecord stored = folder.store().record(id).value();
+  const SuiteConfig suite = folder.source().read(context.planners);
+  TrialSpec spec = find_trial(suite, id);
+  ShortestReferences::exact().add_to(spec);
+  const RunRecord flown =
+      run_alone(spec, suite.limits, [&](const TrialSpec& trial, bool keep_trace) {
+        return run_trial(trial, context.planners, keep_trace);
+      });
+  if (const std::string difference = difference_text(stored, flown); !difference.empty()) {
+    context.out << "trial " << id << " differs: " << difference << "\n";
+    return ExitCode::failure;
+  }
+  context.out << "trial " << id << " is the same, bit for bit (" << to_string(flown.outcome)
+              << ")\n";
+  return ExitCode::success;
+}
+
+}  // namespace voronaut

@@ -1,0 +1,99 @@
+#include <algorithm>
+#include <iomanip>
+#include <ostream>
+
+#include "voronaut/benchmarks/cli/commands.h"
+#include "voronaut/benchmarks/shipped_files.h"
+#include "voronaut/benchmarks/suite_config.h"
+#include "voronaut/benchmarks/suite_trials.h"
+#include "voronaut/environments/world_generators.h"
+
+namespace voronaut {
+
+namespace {
+
+using Rows = std::vector<std::pair<std::string, std::string>>;
+
+Rows rows_of(const std::vector<ShippedFile>& files) {
+  Rows rows;
+  for (const ShippedFile& file : files) rows.emplace_back(file.name, file.summary);
+  return rows;
+}
+
+Rows vehicle_rows() {
+  Rows rows;
+  for (const std::string& name : vehicle_names()) {
+    const VehicleSpec spec = vehicle(name);
+    rows.emplace_back(name, "body radius " + number_text(spec.body_radius_m) + " m, clearance " +
+                                number_text(spec.clearance_min_m) + " m, up to " +
+                                number_text(spec.limits.max_speed_m_s) + " m/s, regulator " +
+                                spec.regulator);
+  }
+  return rows;
+}
+
+Rows scenario_rows() {
+  Rows rows = rows_of(shipped_files("scenarios"));
+  for (const std::string& name : WorldGenerator::names())
+    rows.emplace_back("generator: {name: " + name + "}", "random worlds");
+  rows.emplace_back("dataset: barn", "real worlds, from --data or VORONAUT_DATA");
+  rows.emplace_back("dataset: dodgedrone", "real worlds, from --data or VORONAUT_DATA");
+  return rows;
+}
+
+Rows rows_of(const std::string& what, const PlannerCatalog& planners) {
+  Rows rows;
+  if (what == "planners") {
+    for (const PlannerEntry* entry : planners.entries())
+      rows.emplace_back(entry->name,
+                        entry->summary + (entry->traits.reproducible ? "" : " (not reproducible)"));
+  } else if (what == "vehicles") {
+    rows = vehicle_rows();
+  } else if (what == "regulators") {
+    for (const std::string& name : regulator_names()) rows.emplace_back(name, "");
+  } else if (what == "scenarios") {
+    rows = scenario_rows();
+  } else {
+    rows = rows_of(shipped_files("suites"));
+  }
+  return rows;
+}
+
+void check_suite(const ConfigNode& root, const CheckOptions& options,
+                 const CommandContext& context) {
+  const SuiteConfig suite = read_suite(root, options.data, context.planners);
+  SuiteTrials::check_worlds(suite);
+  context.out << options.file << ": suite '" << suite.name << "', " << suite.scenarios.size()
+              << " scenarios x " << suite.vehicles.size() << " vehicles x " << suite.planners.size()
+              << " planners x " << suite.repetitions
+              << " repetitions = " << SuiteTrials(suite).total() << " trials\n";
+}
+
+}  // namespace
+
+ExitCode execute(const ListOptions& options, const CommandContext& context) {
+  const Rows rows = rows_of(options.what, context.planners);
+  std::size_t width = 0;
+  for (const auto& [name, summary] : rows) width = std::max(width, name.size());
+  for (const auto& [name, summary] : rows) {
+    context.out << name;
+    if (!summary.empty()) context.out << std::string(width + 2 - name.size(), ' ') << summary;
+    context.out << "\n";
+  }
+  return ExitCode::success;
+}
+
+ExitCode execute(const CheckOptions& options, const CommandContext& context) {
+  const ConfigNode root = ConfigNode::read_file(options.file);
+  if (root.find("suite") || root.find("planners") || root.find("vehicles")) {
+    check_suite(root, options, context);
+    return ExitCode::success;
+  }
+  for (const ScenarioSpec& scenario : read_scenarios(root, DataLocation::find(options.data))) {
+    scenario.instantiate(1);
+    context.out << options.file << ": scenario '" << scenario.name() << "'\n";
+  }
+  return ExitCode::success;
+}
+
+}  // namespace voronaut

@@ -1,0 +1,129 @@
+#include "voronaut/benchmarks/cli/options.h"
+
+#include <ostream>
+
+#include <CLI/CLI.hpp>
+
+#include "voronaut/benchmarks/build_info.h"
+
+namespace voronaut {
+
+namespace {
+
+constexpr const char* kFooter =
+    "Exit codes: 0 success; 1 ran, but something failed (a trial ended as crash, killed, memory "
+    "or\n"
+    "invalid, a replay differed, the run was interrupted); 2 bad input.";
+
+CLI::App* add_command(CLI::App& app, const std::string& name, const std::string& summary) {
+  CLI::App* command = app.add_subcommand(name, summary);
+  command->footer(kFooter);
+  return command;
+}
+
+void add_folder(CLI::App* command, std::string& folder) {
+  command->add_option("DIR", folder, "Folder of results")->required();
+}
+
+void add_data(CLI::App* command, std::string& data) {
+  command->add_option("--data", data, "Folder of foreign data sets (else VORONAUT_DATA)");
+}
+
+// Reads into `options` what belongs to each command; the command that was given says which holds.
+struct Commands {
+  explicit Commands(CLI::App& app) {
+    add_run(app);
+    summary_command = add_command(app, "summary", "Print what a run says about its planners");
+    add_folder(summary_command, summary.folder);
+    summary_command->add_flag("--json", summary.json, "As JSON");
+    list_command = add_command(app, "list", "Print what there is");
+    list_command->add_option("WHAT", list.what)
+        ->required()
+        ->check(CLI::IsMember({"planners", "vehicles", "regulators", "scenarios", "suites"}));
+    check_command = add_command(app, "check", "Validate a suite or scenario without running it");
+    check_command->add_option("FILE", check.file, "Suite or scenario file")->required();
+    add_data(check_command, check.data);
+    add_replay(app);
+    digest_command = add_command(app, "digest", "Print a hash of every deterministic result");
+    add_folder(digest_command, digest.folder);
+    report_command = add_command(app, "report", "Write results.csv and report.html again");
+    add_folder(report_command, report.folder);
+  }
+
+  void add_run(CLI::App& app) {
+    run_command = add_command(app, "run", "Fly a suite; complete what is missing of it");
+    run_command->add_option("SUITE", run.suite, "Suite file, or the name of one that ships")
+        ->required();
+    run_command->add_option("--out", run.out, "Folder of results [voronaut-results/<suite>]");
+    run_command->add_option("--planners", run.planners, "Only these, by label: a,b,...")
+        ->delimiter(',');
+    run_command->add_option("--seed", run.seed, "Instead of the suite's")
+        ->check(CLI::Range(std::int64_t{0}, std::numeric_limits<std::int64_t>::max()));
+    run_command->add_option("--repetitions", run.repetitions, "Instead of the suite's")
+        ->check(CLI::Range(1, 1'000'000));
+    run_command->add_option("--jobs", run.jobs, "Trials at once [all cores but one]")
+        ->check(CLI::Range(1, 1024));
+    add_data(run_command, run.data);
+  }
+
+  void add_replay(CLI::App& app) {
+    replay_command = add_command(app, "replay",
+                                 "Fly a stored trial again: is the result the same, bit for bit?");
+    add_folder(replay_command, replay.folder);
+    replay_command->add_option("TRIAL_ID", replay.trial_id, "Or the beginning of it")->required();
+  }
+
+  Options chosen() const {
+    if (run_command->parsed()) return run;
+    if (summary_command->parsed()) return summary;
+    if (list_command->parsed()) return list;
+    if (check_command->parsed()) return check;
+    if (replay_command->parsed()) return replay;
+    if (digest_command->parsed()) return digest;
+    return report;
+  }
+
+  RunOptions run;
+  SummaryOptions summary;
+  ListOptions list;
+  CheckOptions check;
+  ReplayOptions replay;
+  DigestOptions digest;
+  ReportOptions report;
+
+  CLI::App* run_command = nullptr;
+  CLI::App* summary_command = nullptr;
+  CLI::App* list_command = nullptr;
+  CLI::App* check_command = nullptr;
+  CLI::App* replay_command = nullptr;
+  CLI::App* digest_command = nullptr;
+  CLI::App* report_command = nullptr;
+};
+
+}  // namespace
+
+ParsedArguments parse_arguments(int argc, const char* const* argv, std::ostream& out,
+                                std::ostream& err) {
+  CLI::App app("Benchmarks for planners that discover the world while they move", "voronaut");
+  app.set_version_flag("--version", version_line(), "Print the version and exit");
+  app.footer(kFooter);
+  app.require_subcommand(1);
+  const Commands commands(app);
+  for (CLI::App* command : app.get_subcommands({}))
+    command->set_version_flag("--version", version_line(), "Print the version and exit");
+  try {
+    app.parse(argc, argv);
+    return {commands.chosen(), ExitCode::success};
+  } catch (const CLI::Success& success) {  // help or version
+    app.exit(success, out, err);
+    return {std::nullopt, ExitCode::success};
+  } catch (const CLI::ParseError& error) {
+    std::string text = error.what();
+    for (char& c : text)
+      if (c == '\n') c = ' ';
+    err << "voronaut: " << text << " (--help shows what is possible)\n";
+    return {std::nullopt, ExitCode::bad_input};
+  }
+}
+
+}  // namespace voronaut

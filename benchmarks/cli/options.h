@@ -1,0 +1,64 @@
+#pragma once
+
+#include <cstddef>
+#include <iosfwd>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+// What the command line says, as plain values.
+namespace voronaut {
+
+struct RunOptions {
+  std::string suite;  // a path, or the name of a suite that ships
+  std::string out;    // empty: voronaut-results/<suite>
+  std::vector<std::string> planners;
+  std::string seed;  // empty: the suite's
+  std::string repetitions;
+  std::size_t jobs = 0;  // 0: all cores but one
+  std::string data;
+};
+
+struct SummaryOptions {
+  std::string folder;
+  bool json = false;
+};
+
+struct ListOptions {
+  std::string what;
+};
+
+struct CheckOptions {
+  std::string file;
+  std::string data;
+};
+
+struct ReplayOptions {
+  std::string folder;
+  std::string trial_id;  // or the beginning of one
+};
+
+struct DigestOptions {
+  std::string folder;
+};
+
+struct ReportOptions {
+  std::string folder;
+};
+
+using Options = std::variant<RunOptions, SummaryOptions, ListOptions, CheckOptions, ReplayOptions,
+                             DigestOptions, ReportOptions>;
+
+// 0: done. 1: ran, but something failed. 2: bad input.
+enum class ExitCode { success = 0, failure = 1, bad_input = 2 };
+
+struct ParsedArguments {
+  std::optional<Options> options;  // empty: help, version or an error was printed
+  ExitCode exit_code = ExitCode::success;
+};
+
+ParsedArguments parse_arguments(int argc, const char* const* argv, std::ostream& out,
+                                std::ostream& err);
+
+}  // namespace voronaut

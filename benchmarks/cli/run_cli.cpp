@@ -1,0 +1,48 @@
+#include "voronaut/benchmarks/cli/run_cli.h"
+
+#include <filesystem>
+#include <iostream>
+#include <stdexcept>
+
+#include <ompl/util/Console.h>
+
+#include "voronaut/benchmarks/cli/commands.h"
+#include "voronaut/environments/config_error.h"
+#include "voronaut/reports/sqlite.h"
+
+namespace voronaut {
+
+namespace {
+
+ExitCode complain(const std::exception& error, ExitCode code) {
+  std::cerr << "voronaut: " << error.what() << std::endl;
+  return code;
+}
+
+ExitCode execute_any(const Options& options, const CommandContext& context) {
+  try {
+    return std::visit([&](const auto& chosen) { return execute(chosen, context); }, options);
+  } catch (const ConfigError& error) {
+    return complain(error, ExitCode::bad_input);
+  } catch (const std::invalid_argument& error) {
+    return complain(error, ExitCode::bad_input);
+  } catch (const StoreError& error) {
+    return complain(error, ExitCode::bad_input);
+  } catch (const std::filesystem::filesystem_error& error) {
+    return complain(error, ExitCode::bad_input);
+  } catch (const std::exception& error) {
+    return complain(error, ExitCode::failure);
+  }
+}
+
+}  // namespace
+
+int run_cli(int argc, char** argv, const PlannerCatalog& planners) {
+  ompl::msg::setLogLevel(ompl::msg::LOG_NONE);
+  const ParsedArguments parsed = parse_arguments(argc, argv, std::cout, std::cerr);
+  if (!parsed.options) return static_cast<int>(parsed.exit_code);
+  const CommandContext context{planners, std::cout, std::cerr, {argv, argv + argc}};
+  return static_cast<int>(execute_any(*parsed.options, context));
+}
+
+}  // namespace voronaut
