@@ -1,0 +1,218 @@
+#include "voronaut/environments/tangent_rims.h"
+
+#include <cmath>
+#include <tuple>
+
+namespace voronaut {
+namespace {
+
+// Rounding of directions; tangents that miss the end of an arc by less belong to it.
+constexpr double kDirectionTolerance = 1e-9;
+// Shorter arcs are the corners of joints in straight walls: nothing bends there.
+constexpr double kShortestArcQuarters = 1e-12;
+
+// The directions, seen from the centre of a disc, at which its rim may become free or blocked.
+class Crossings {
+ public:
+  Crossings(const Disc& disc, std::vector<double>& quarters) : disc_(disc), quarters_(quarters) {}
+
+  void with_circle(const Vec2& center, double radius_m) {
+    const Vec2 to = center - disc_.center;
+    const double distance_sq = to.squaredNorm();
+    if (distance_sq == 0) return;
+    const double distance_m = std::sqrt(distance_sq);
+    const double ahead = (distance_sq + disc_.radius_m * disc_.radius_m - radius_m * radius_m) /
+                         (2 * distance_m * disc_.radius_m);
+    if (std::abs(ahead) > 1) return;
+    const Vec2 toward = to / distance_m;
+    const Vec2 aside = std::sqrt(1 - ahead * ahead) * left_of(toward);
+    add(ahead * toward + aside);
+    add(ahead * toward - aside);
+  }
+
+  // The line through a along the unit vector `along`, from a to length_m ahead of it.
+  void with_line(const Vec2& a, const Vec2& along, double length_m) {
+    const Vec2 to = a - disc_.center;
+    const double beside_m = cross(along, to);
+    const double half_chord_sq = disc_.radius_m * disc_.radius_m - beside_m * beside_m;
+    if (half_chord_sq < 0) return;
+    const double foot_m = -along.dot(to);
+    const double slack_m = 1e-6 * disc_.radius_m;
+    for (const double sign : {-1.0, 1.0}) {
+      const double at_m = foot_m + sign * std::sqrt(half_chord_sq);
+      if (at_m >= -slack_m && at_m <= length_m + slack_m) add(to + at_m * along);
+    }
+  }
+
+  void with_edge(const Segment& edge, double radius_m) {
+    with_circle(edge.a, radius_m);
+    with_circle(edge.b, radius_m);
+    const double length_m = (edge.b - edge.a).norm();
+    if (length_m == 0) return;
+    const Vec2 along = (edge.b - edge.a) / length_m;
+    with_line(edge.a + radius_m * left_of(along), along, length_m);
+    with_line(edge.a - radius_m * left_of(along), along, length_m);
+  }
+
+  void with_bounds(const Bounds& bounds) {
+    const Vec2 size_m = bounds.max - bounds.min;
+    with_line(bounds.min, Vec2::UnitX(), size_m.x());
+    with_line(bounds.min, Vec2::UnitY(), size_m.y());
+    with_line(bounds.max, -Vec2::UnitX(), size_m.x());
+    with_line(bounds.max, -Vec2::UnitY(), size_m.y());
+  }
+
+  void add(const Vec2& direction) { quarters_.push_back(quarter_turns(direction)); }
+
+ private:
+  const Disc& disc_;
+  std::vector<double>& quarters_;
+};
+
+Bounds grown(const Bounds& area, double by_m) {
+  return {area.min - Vec2::Constant(by_m), area.max + Vec2::Constant(by_m)};
+}
+
+}  // namespace
+
+double quarter_turns(const Vec2& v) {
+  const double share = v.y() / (std::abs(v.x()) + std::abs(v.y()));
+  if (v.x() < 0) return 2 - share;
+  return share < 0 ? 4 + share : share;
+}
+
+Vec2 direction_at(double quarters) {
+  const double q = quarters - 4 * std::floor(quarters / 4);
+  if (q < 2) return Vec2(1 - q, q < 1 ? q : 2 - q).normalized();
+  return Vec2(q - 3, q < 3 ? 2 - q : q - 4).normalized();
+}
+
+double quarters_ahead(double from, double to) {
+  const double ahead = to - from;
+  return ahead < 0 ? std::max(ahead + 4, 0.0) : ahead;
+}
+
+double FreeArc::position(double quarters) const {
+  const double ahead = quarters_ahead(from_quarters, quarters);
+  if (whole() || ahead <= span_quarters) return ahead;
+  if (ahead <= span_quarters + kDirectionTolerance) return span_quarters;
+  return ahead >= 4 - kDirectionTolerance ? 0 : -1;
+}
+
+TangentRims::TangentRims(const World& world, double radius_m, double tolerance)
+    : world_(world),
+      radius_m_(radius_m),
+      reach_m_(radius_m * (1 - tolerance)),
+      same_point_m_(radius_m * tolerance) {
+  for (const Circle& circle : world.index().circles()) {
+    discs_.push_back({circle.center, circle.radius_m + radius_m});
+  }
+  for (const Segment& e : world.index().edges()) {
+    discs_.push_back({e.a, radius_m});
+    discs_.push_back({e.b, radius_m});
+  }
+  // Corners that shapes share are one; those that differ by rounding meet in the same coarse cell.
+  const double coarse_m = 1e-6 * radius_m;
+  const auto key = [&](const Disc& d) {
+    return std::tuple(std::round(d.center.x() / coarse_m), std::round(d.center.y() / coarse_m),
+                      d.radius_m, d.center.x(), d.center.y());
+  };
+  std::sort(discs_.begin(), discs_.end(),
+            [&](const Disc& a, const Disc& b) { return key(a) < key(b); });
+  const auto same = [&](const Disc& a, const Disc& b) {
+    return a.radius_m == b.radius_m && (a.center - b.center).norm() <= same_point_m_;
+  };
+  discs_.erase(std::unique(discs_.begin(), discs_.end(), same), discs_.end());
+  arcs_of_.assign(discs_.size(), {1, 0});
+}
+
+std::uint32_t TangentRims::add_point(const Vec2& p) {
+  const auto disc = static_cast<std::uint32_t>(discs_.size());
+  const auto first = static_cast<std::uint32_t>(arcs_.size());
+  discs_.push_back({p, 0});
+  arcs_.push_back({disc, 0, 4});
+  arcs_of_.push_back({first, first + 1});
+  return disc;
+}
+
+TangentRims::ArcRange TangentRims::arcs_of(std::uint32_t disc) {
+  if (arcs_of_[disc].begin > arcs_of_[disc].end) arcs_of_[disc] = find_arcs(disc);
+  return arcs_of_[disc];
+}
+
+// Clearance must hold for all but the edges that end in the centre: those block the half of the rim
+// that they lie in, exactly, so that a joint in a straight wall has no free arc.
+bool TangentRims::is_free(const Disc& disc, const Vec2& direction,
+                          const std::vector<Vec2>& own_edges) const {
+  for (const Vec2& along : own_edges) {
+    if (direction.dot(along) > 0) return false;
+  }
+  const Vec2 p = disc.center + disc.radius_m * direction;
+  return world_.bounds().contains(p) && world_.index().clearance_m(p, radius_m_) >= reach_m_;
+}
+
+TangentRims::ArcRange TangentRims::find_arcs(std::uint32_t index) {
+  const Disc disc = discs_[index];
+  std::vector<double> quarters;
+  std::vector<Vec2> own_edges;
+  Crossings crossings(disc, quarters);
+  const ShapeIndex& shapes = world_.index();
+  shapes.visit(
+      grown(bounds_of(Circle{disc.center, disc.radius_m}), radius_m_),
+      [&](std::uint32_t i) {
+        const Circle& circle = shapes.circles()[i];
+        crossings.with_circle(circle.center, circle.radius_m + reach_m_);
+      },
+      [&](std::uint32_t i) {
+        const Segment& e = shapes.edges()[i];
+        const double length_m = (e.b - e.a).norm();
+        const bool from_a = (e.a - disc.center).norm() <= same_point_m_;
+        const bool from_b = (e.b - disc.center).norm() <= same_point_m_;
+        if (disc.radius_m > radius_m_ || length_m == 0 || from_a == from_b) {
+          crossings.with_edge(e, reach_m_);
+          return;
+        }
+        own_edges.push_back((from_a ? 1 : -1) * (e.b - e.a) / length_m);
+        crossings.add(left_of(own_edges.back()));
+        crossings.add(-left_of(own_edges.back()));
+      });
+  crossings.with_bounds(world_.bounds());
+  std::sort(quarters.begin(), quarters.end());
+
+  const auto first = static_cast<std::uint32_t>(arcs_.size());
+  if (quarters.empty()) {
+    if (is_free(disc, Vec2::UnitX(), own_edges)) arcs_.push_back({index, 0, 4});
+    return {first, static_cast<std::uint32_t>(arcs_.size())};
+  }
+  // Between neighbouring crossings the rim is free or blocked as its middle is. Begin after a
+  // blocked piece, so that no free arc is cut by the seam.
+  const std::size_t count = quarters.size();
+  std::vector<bool> free(count);
+  std::vector<double> span(count);
+  std::size_t blocked = count;
+  for (std::size_t i = 0; i < count; ++i) {
+    span[i] = i + 1 < count ? quarters[i + 1] - quarters[i] : quarters[0] + 4 - quarters[i];
+    free[i] = span[i] > kShortestArcQuarters &&
+              is_free(disc, direction_at(quarters[i] + span[i] / 2), own_edges);
+    if (!free[i] && span[i] > kShortestArcQuarters) blocked = i;
+  }
+  if (blocked == count) {
+    arcs_.push_back({index, 0, 4});
+    return {first, static_cast<std::uint32_t>(arcs_.size())};
+  }
+  bool open = false;
+  for (std::size_t step = 1; step <= count; ++step) {
+    const std::size_t i = (blocked + step) % count;
+    if (span[i] <= kShortestArcQuarters) {
+      if (open) arcs_.back().span_quarters += span[i];
+    } else if (free[i] && open) {
+      arcs_.back().span_quarters += span[i];
+    } else if (free[i]) {
+      arcs_.push_back({index, quarters[i], span[i]});
+    }
+    open = span[i] <= kShortestArcQuarters ? open : free[i];
+  }
+  return {first, static_cast<std::uint32_t>(arcs_.size())};
+}
+
+}  // namespace voronaut
