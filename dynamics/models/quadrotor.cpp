@@ -19,54 +19,66 @@ constexpr std::size_t kBodySize = 13;
 using BodyState = std::array<double, kBodySize>;
 using LaggedState = std::array<double, kBodySize + 4>;
 
-// What the rotors do to the body, as accelerations: eq. (2) divided by mass and inertia, and the
-// gyroscopic coefficients of eq. (1).
+// Accelerations that the rotors give to the body, and their gyroscopic coefficients.
 struct RotorEffect {
-  double thrust_m_s2;
+  double twice_thrust_m_s2, thrust_less_weight_m_s2;
   double roll_rad_s2, pitch_rad_s2, yaw_rad_s2;
   double gyro_p_1_s, gyro_q_1_s;  // J_TP Omega / I_xx, / I_yy
 };
 
-RotorEffect rotor_effect(const QuadrotorConfig& c, const Vec3& inertia, const double* w) {
+// Eq. (2) divided by mass and inertia.
+RotorEffect rotor_effect(const RigidBodyCoefficients& c, const double* w) {
   const double s1 = w[0] * w[0], s2 = w[1] * w[1], s3 = w[2] * w[2], s4 = w[3] * w[3];
-  const double b = c.thrust_factor_N_s2;
-  const double spin = c.rotor_inertia_kg_m2 * (w[0] - w[1] + w[2] - w[3]);
-  return {.thrust_m_s2 = b * (s1 + s2 + s3 + s4) / c.mass_kg,
-          .roll_rad_s2 = b * c.arm_m * (s4 - s2) / inertia.x(),
-          .pitch_rad_s2 = b * c.arm_m * (s3 - s1) / inertia.y(),
-          .yaw_rad_s2 = c.drag_factor_N_m_s2 * (s2 + s4 - s1 - s3) / inertia.z(),
-          .gyro_p_1_s = spin / inertia.x(),
-          .gyro_q_1_s = spin / inertia.y()};
+  const double omega = w[0] - w[1] + w[2] - w[3];
+  const double thrust = c.thrust * (s1 + s2 + s3 + s4);
+  return {.twice_thrust_m_s2 = 2 * thrust,
+          .thrust_less_weight_m_s2 = thrust - c.gravity_m_s2,
+          .roll_rad_s2 = c.roll * (s4 - s2),
+          .pitch_rad_s2 = c.pitch * (s3 - s1),
+          .yaw_rad_s2 = c.yaw * (s2 + s4 - s1 - s3),
+          .gyro_p_1_s = c.gyro_p * omega,
+          .gyro_q_1_s = c.gyro_q * omega};
 }
 
-// Constant coefficients of the body's equations.
-struct Body {
-  double gravity_m_s2, drag_1_s;
-  double coupling_p, coupling_q, coupling_r;  // (I_yy - I_zz)/I_xx and so on
-};
-
 // Eq. (1) with the exact quaternion kinematics q' = q (0, w) / 2.
-inline void body_derivative(const double* x, const Body& body, const RotorEffect& rotors,
-                            double* dx) {
-  const double vx = x[3], vy = x[4], vz = x[5];
+inline void body_derivative(const double* x, const RigidBodyCoefficients& body,
+                            const RotorEffect& rotors, double* dx) {
   const double qw = x[6], qx = x[7], qy = x[8], qz = x[9];
   const double p = x[10], q = x[11], r = x[12];
-  const double twice_thrust = 2 * rotors.thrust_m_s2;
-  dx[0] = vx;
-  dx[1] = vy;
-  dx[2] = vz;
-  dx[3] = twice_thrust * (qx * qz + qw * qy) - body.drag_1_s * vx;
-  dx[4] = twice_thrust * (qy * qz - qw * qx) - body.drag_1_s * vy;
-  dx[5] = rotors.thrust_m_s2 - twice_thrust * (qx * qx + qy * qy) - body.gravity_m_s2 -
-          body.drag_1_s * vz;
+  dx[0] = x[3];
+  dx[1] = x[4];
+  dx[2] = x[5];
+  dx[3] = rotors.twice_thrust_m_s2 * (qx * qz + qw * qy);
+  dx[4] = rotors.twice_thrust_m_s2 * (qy * qz - qw * qx);
+  dx[5] = rotors.thrust_less_weight_m_s2 - rotors.twice_thrust_m_s2 * (qx * qx + qy * qy);
+  if (body.drag_1_s > 0) {
+    for (std::size_t i = 3; i < 6; ++i) dx[i] -= body.drag_1_s * x[i];
+  }
   const double hp = 0.5 * p, hq = 0.5 * q, hr = 0.5 * r;
-  dx[6] = -qx * hp - qy * hq - qz * hr;
+  dx[6] = -(qx * hp + qy * hq + qz * hr);
   dx[7] = qw * hp + qy * hr - qz * hq;
   dx[8] = qw * hq + qz * hp - qx * hr;
   dx[9] = qw * hr + qx * hq - qy * hp;
-  dx[10] = body.coupling_p * q * r - rotors.gyro_p_1_s * q + rotors.roll_rad_s2;
-  dx[11] = body.coupling_q * p * r + rotors.gyro_q_1_s * p + rotors.pitch_rad_s2;
+  dx[10] = (body.coupling_p * r - rotors.gyro_p_1_s) * q + rotors.roll_rad_s2;
+  dx[11] = (body.coupling_q * r + rotors.gyro_q_1_s) * p + rotors.pitch_rad_s2;
   dx[12] = body.coupling_r * p * q + rotors.yaw_rad_s2;
+}
+
+RigidBodyCoefficients coefficients_of(const QuadrotorConfig& c) {
+  const Vec3 inertia = c.inertia_kg_m2();
+  const double moment = c.thrust_factor_N_s2 * c.arm_m;
+  return {.gravity_m_s2 = c.gravity_m_s2,
+          .drag_1_s = c.linear_drag_1_s,
+          .thrust = c.thrust_factor_N_s2 / c.mass_kg,
+          .roll = moment / inertia.x(),
+          .pitch = moment / inertia.y(),
+          .yaw = c.drag_factor_N_m_s2 / inertia.z(),
+          .gyro_p = c.rotor_inertia_kg_m2 / inertia.x(),
+          .gyro_q = c.rotor_inertia_kg_m2 / inertia.y(),
+          .reaction = c.rotor_acceleration_torque ? c.rotor_inertia_kg_m2 / inertia.z() : 0,
+          .coupling_p = (inertia.y() - inertia.z()) / inertia.x(),
+          .coupling_q = (inertia.z() - inertia.x()) / inertia.y(),
+          .coupling_r = (inertia.x() - inertia.y()) / inertia.z()};
 }
 
 template <class State>
@@ -91,21 +103,18 @@ State packed(const VehicleState& s) {
 }
 
 VehicleState step_lagged(const VehicleState& state, const RotorSpeeds& commanded,
-                         const QuadrotorConfig& config, const Vec3& inertia, const Body& body,
-                         double period_s) {
+                         const RigidBodyCoefficients& body, double lag_s, double period_s) {
   auto start = packed<LaggedState>(state);
   for (std::size_t i = 0; i < 4; ++i) start[kBodySize + i] = state.actuators[i];
-  const double per_lag = 1 / config.motor_lag_s;
-  const double reaction =
-      config.rotor_acceleration_torque ? config.rotor_inertia_kg_m2 / inertia.z() : 0;
+  const double per_lag = 1 / lag_s;
   const LaggedState end = rk4_step(start, period_s, [&](const LaggedState& x) {
     LaggedState dx;
-    RotorEffect rotors = rotor_effect(config, inertia, &x[kBodySize]);
+    RotorEffect rotors = rotor_effect(body, &x[kBodySize]);
     for (std::size_t i = 0; i < 4; ++i) {
       dx[kBodySize + i] = per_lag * (commanded[i] - x[kBodySize + i]);
     }
     const double* speedup = &dx[kBodySize];
-    rotors.yaw_rad_s2 -= reaction * (speedup[0] - speedup[1] + speedup[2] - speedup[3]);
+    rotors.yaw_rad_s2 -= body.reaction * (speedup[0] - speedup[1] + speedup[2] - speedup[3]);
     body_derivative(x.data(), body, rotors, dx.data());
     return dx;
   });
@@ -134,7 +143,7 @@ double QuadrotorConfig::hover_rotor_speed_rad_s() const {
 
 Quadrotor::Quadrotor(const QuadrotorConfig& config)
     : config_(config),
-      inertia_kg_m2_(config.inertia_kg_m2()),
+      body_(coefficients_of(config)),
       hover_rad_s_(config.hover_rotor_speed_rad_s()) {
   if (hover_rad_s_ < config.min_rotor_speed_rad_s || hover_rad_s_ > config.max_rotor_speed_rad_s) {
     throw std::invalid_argument(
@@ -164,19 +173,13 @@ VehicleState Quadrotor::step(const VehicleState& state, const Command& command,
     speeds[i] =
         std::clamp(command.u[i], config_.min_rotor_speed_rad_s, config_.max_rotor_speed_rad_s);
   }
-  const Vec3& inertia = inertia_kg_m2_;
-  const Body body{.gravity_m_s2 = config_.gravity_m_s2,
-                  .drag_1_s = config_.linear_drag_1_s,
-                  .coupling_p = (inertia.y() - inertia.z()) / inertia.x(),
-                  .coupling_q = (inertia.z() - inertia.x()) / inertia.y(),
-                  .coupling_r = (inertia.x() - inertia.y()) / inertia.z()};
   if (config_.motor_lag_s > 0) {
-    return step_lagged(state, speeds, config_, inertia, body, period_s);
+    return step_lagged(state, speeds, body_, config_.motor_lag_s, period_s);
   }
-  const RotorEffect rotors = rotor_effect(config_, inertia, speeds.data());
+  const RotorEffect rotors = rotor_effect(body_, speeds.data());
   VehicleState next = unpacked(rk4_step(packed<BodyState>(state), period_s, [&](const auto& x) {
     BodyState dx;
-    body_derivative(x.data(), body, rotors, dx.data());
+    body_derivative(x.data(), body_, rotors, dx.data());
     return dx;
   }));
   next.actuators = speeds;

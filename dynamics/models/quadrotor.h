@@ -54,6 +54,14 @@ struct QuadrotorConfig {
   }
 };
 
+// Coefficients of eqs. (1)-(2) for one vehicle; those per squared rotor speed are accelerations.
+struct RigidBodyCoefficients {
+  double gravity_m_s2, drag_1_s;
+  double thrust, roll, pitch, yaw;            // b/m, b l/I_xx, b l/I_yy, d/I_zz
+  double gyro_p, gyro_q, reaction;            // J_TP/I_xx, J_TP/I_yy, J_TP/I_zz or 0
+  double coupling_p, coupling_q, coupling_r;  // (I_yy - I_zz)/I_xx and so on
+};
+
 // Rigid body with a quaternion state, one RK4 step per period, rotor speeds held over it; the
 // quaternion is renormalised once per step. Command: rotor speeds [rad/s], clipped to the limits.
 // VehicleState::actuators are the rotor speeds at the end of the step.
@@ -72,7 +80,7 @@ class Quadrotor : public Model {
 
  private:
   QuadrotorConfig config_;
-  Vec3 inertia_kg_m2_;
+  RigidBodyCoefficients body_;
   double hover_rad_s_;
 };
 
