@@ -219,7 +219,7 @@ struct Problem {
 
 Problem random_problem(std::uint64_t seed, int count) {
   Random rng(seed);
-  const double radius_m = rng.uniform(0.1, 0.5);
+  const double radius_m = rng.uniform(0.15, 0.5);
   World world({Vec2(-6, -6), Vec2(6, 6)}, random_shapes(rng, count, 6, 0.6));
   const auto free_point = [&] {
     Vec2 p = random_point(rng, 6);
@@ -230,8 +230,12 @@ Problem random_problem(std::uint64_t seed, int count) {
   return {world, start, free_point(), radius_m};
 }
 
-// Dijkstra on a grid of step_m through start: king's and knight's moves, each tested exactly.
-double lattice_length_m(const Problem& problem, double step_m) {
+// Dijkstra on a grid of step_m through start: king's and knight's moves, each tested exactly. The
+// disc is smaller by slack_m and the bounds are wider by it.
+double lattice_length_m(const Problem& problem, double step_m, double slack_m) {
+  const double radius_m = problem.radius_m - slack_m;
+  const Bounds& bounds = problem.world.bounds();
+  const Bounds wider{bounds.min - Vec2::Constant(slack_m), bounds.max + Vec2::Constant(slack_m)};
   const int half = static_cast<int>(12 / step_m);
   const int side = 2 * half + 1;
   std::vector<double> best(static_cast<std::size_t>(side * side), kNoPath);
@@ -250,7 +254,7 @@ double lattice_length_m(const Problem& problem, double step_m) {
     const int y = node / side - half;
     const Vec2 p = at(x, y);
     if ((problem.goal - p).norm() <= 2 * step_m &&
-        problem.world.segment_is_clear(p, problem.goal, problem.radius_m)) {
+        problem.world.segment_is_clear(p, problem.goal, radius_m)) {
       found_m = std::min(found_m, length + (problem.goal - p).norm());
     }
     for (int dx = -2; dx <= 2; ++dx) {
@@ -262,8 +266,8 @@ double lattice_length_m(const Problem& problem, double step_m) {
         const Vec2 q = at(nx, ny);
         const auto next = static_cast<std::size_t>((ny + half) * side + nx + half);
         const double onward = length + (q - p).norm();
-        if (onward >= best[next] || !problem.world.bounds().contains(q)) continue;
-        if (!problem.world.segment_is_clear(p, q, problem.radius_m)) continue;
+        if (onward >= best[next] || !wider.contains(q)) continue;
+        if (!problem.world.segment_is_clear(p, q, radius_m)) continue;
         best[next] = onward;
         queue.push({onward, static_cast<int>(next)});
       }
@@ -272,29 +276,29 @@ double lattice_length_m(const Problem& problem, double step_m) {
   return found_m;
 }
 
-TEST(ShortestPath, IsJustShorterThanTheBestOnALattice) {
+TEST(ShortestPath, LiesBetweenTheBestLatticePathsOfThisDiscAndOfASmallerOne) {
   int found = 0;
   int missing = 0;
-  for (std::uint64_t seed = 1; seed <= 40; ++seed) {
+  for (std::uint64_t seed = 1; seed <= 60; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
-    const Problem problem = random_problem(seed, 10 + static_cast<int>(seed % 16));
+    const Problem problem = random_problem(seed, 15 + static_cast<int>(seed % 30));
     const auto path = shortest_path(problem.world, problem.start, problem.goal, problem.radius_m);
-    const double lattice_m = lattice_length_m(problem, 0.1);
+    const double above_m = lattice_length_m(problem, 0.1, 0);
     if (!path) {
       ++missing;
-      EXPECT_EQ(lattice_m, kNoPath);
+      EXPECT_EQ(above_m, kNoPath);
       continue;
     }
+    ++found;
     expect_sound(problem.world, *path, problem.start, problem.goal, problem.radius_m);
     EXPECT_GE(path->length_m, (problem.goal - problem.start).norm() - 1e-12);
-    EXPECT_LE(path->length_m, lattice_m + 1e-9);
-    if (lattice_m == kNoPath) continue;
-    ++found;
-    // Knight's moves lose up to 2.8 % of a free way, corners up to a step each.
-    EXPECT_GE(path->length_m, 0.96 * lattice_m - 0.3);
+    EXPECT_LE(path->length_m, above_m + 1e-9);
+    // A disc smaller by a step can follow the path from node to node. Knight's moves lose up to
+    // 2.8 % of a free way.
+    EXPECT_GE(path->length_m, (lattice_length_m(problem, 0.1, 0.1) - 0.3) / 1.04);
   }
   EXPECT_GE(found, 15);
-  EXPECT_GE(missing, 5);
+  EXPECT_GE(missing, 8);
 }
 
 TEST(ShortestPath, IsAsLongBackwards) {
