@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "voronaut/planners/ompl_planners.h"
+#include "voronaut/planners/potential_field/potential_field.h"
 #include "voronaut/planners/reactive_voronoi/reactive_voronoi.h"
 
 namespace voronaut {
@@ -18,6 +19,8 @@ ompl::base::PlannerPtr make(const ompl::base::SpaceInformationPtr& si) {
 
 PlannerCatalog PlannerCatalog::built_in() {
   PlannerCatalog catalog;
+  catalog.add({"PotentialField", "Khatib's artificial potential field, followed downhill",
+               PlannerTraits{.plans_on_every_scan = true}, make<PotentialField>});
   catalog.add({"ReactiveVoronoi",
                "the papers' planner: past obstacles on the left, on the right, between them",
                PlannerTraits{.plans_on_every_scan = true}, make<ReactiveVoronoi>});

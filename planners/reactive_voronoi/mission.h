@@ -1,14 +1,9 @@
 #pragma once
 
-#include <functional>
-#include <memory>
-#include <vector>
-
-#include <ompl/base/SpaceInformation.h>
-#include <ompl/geometric/PathGeometric.h>
-
 #include "voronaut/planners/mapping/obstacle_base.h"
+#include "voronaut/planners/ray_range.h"
 #include "voronaut/planners/reactive_voronoi/reactive_step.h"
+#include "voronaut/planners/travel.h"
 
 // The papers' planner on a static problem: a mission in miniature. A vehicle that knows nothing
 // senses, maps, decides and moves, and its way is the path.
@@ -35,56 +30,28 @@ struct MissionConfig {
   }
 };
 
-// Distance from a point along a unit direction to the first thing a range finder would see, at most
-// max_range_m. Nothing is seen beyond the bounds of the space.
-using RayRange = std::function<double(const Vec2& from, const Vec2& direction, double max_range_m)>;
-
-// Exact to a centimetre where the validity checker is a KnownGeometry (known points are seen as
-// discs of 5 cm, so that a thinned surface has no holes); else marched through
-// isValid() in steps of resolution_m, with the state's other components as in `reference`.
-RayRange ray_range(const ompl::base::SpaceInformationPtr& si, const ompl::base::State* reference,
-                   double resolution_m);
-
-class Mission {
+class Mission : public Travel {
  public:
-  enum class Status { under_way, at_goal, stuck };
-
-  // From a valid start to a valid goal; both are copied.
+  // From a valid start to a valid goal.
   Mission(const ompl::base::SpaceInformationPtr& si, const ReactiveVoronoiConfig& planner,
           const MissionConfig& config, const ompl::base::State* start,
           const ompl::base::State* goal);
 
-  // One cycle: sense, map, decide, move by step_m. Stuck: the next step is not a valid motion, or
-  // no progress for stall_steps. No effect once the mission has ended.
-  Status advance();
-
-  Status status() const { return status_; }
   ReactiveMode mode() const { return mode_; }
-  // The way so far; its last state is a copy of the goal if the mission ended there.
-  const ompl::geometric::PathGeometric& executed() const { return *executed_; }
-  // The state of that way closest to the goal, and how close it is.
-  std::size_t closest_index() const { return closest_index_; }
-  double closest_m() const { return closest_m_; }
 
  private:
+  // One cycle: sense, map, decide, move. Stuck: the next step is not a valid motion, or no progress
+  // for stall_steps.
+  bool step() override;
   Vec2 decide();
-  bool move_to(const Vec2& target);
 
-  ompl::base::SpaceInformationPtr si_;
   ReactiveVoronoiConfig planner_;
   MissionConfig config_;
   RayRange ray_range_;
   ObstacleBase base_;
   ReactiveMemory memory_;
   Scan scan_;
-  Vec2 goal_world_;
-  std::shared_ptr<ompl::geometric::PathGeometric> executed_;
-  std::shared_ptr<ompl::geometric::PathGeometric> goal_;  // one state
-  Status status_ = Status::under_way;
   ReactiveMode mode_ = ReactiveMode::none;
-  std::size_t closest_index_ = 0;
-  double closest_m_ = 0;
-  int steps_without_progress_ = 0;
 };
 
 }  // namespace voronaut

@@ -1,9 +1,10 @@
 #include "voronaut/planners/reactive_voronoi/reactive_voronoi.h"
 
-#include <algorithm>
 #include <stdexcept>
 
-#include <ompl/util/Exception.h>
+#include <ompl/base/PlannerData.h>
+#include <ompl/base/ScopedState.h>
+#include <ompl/base/goals/GoalSampleableRegion.h>
 
 #include "voronaut/planners/parameter_declaration.h"
 #include "voronaut/planners/planar_state.h"
@@ -14,9 +15,6 @@ namespace ob = ompl::base;
 namespace og = ompl::geometric;
 
 namespace {
-
-// A goal region may offer goals without end.
-constexpr std::size_t kMostGoals = 4;
 
 std::string canonical(const ReactiveVoronoiConfig& config) {
   ReactiveVoronoiConfig copy = config;
@@ -31,10 +29,7 @@ std::string canonical(const ReactiveVoronoiConfig& config) {
 }  // namespace
 
 ReactiveVoronoi::ReactiveVoronoi(const ob::SpaceInformationPtr& si)
-    : Planner(si, "ReactiveVoronoi") {
-  specs_.recognizedGoal = ob::GOAL_SAMPLEABLE_REGION;
-  specs_.approximateSolutions = true;
-  specs_.directed = true;
+    : TravelPlanner(si, "ReactiveVoronoi") {
   ParameterDeclaration declaration(params_);
   config_.visit(declaration);
   mission_config_.visit(declaration);
@@ -42,8 +37,6 @@ ReactiveVoronoi::ReactiveVoronoi(const ob::SpaceInformationPtr& si)
       "preset", [this](const std::string& name) { set_preset(name); }, [this] { return preset(); });
   params_["preset"].setRangeSuggestion("as_published,repaired");
 }
-
-ReactiveVoronoi::~ReactiveVoronoi() { free_states(); }
 
 void ReactiveVoronoi::set_preset(const std::string& name) {
   if (name == "as_published")
@@ -61,46 +54,41 @@ std::string ReactiveVoronoi::preset() const {
   return {};
 }
 
-void ReactiveVoronoi::setup() {
-  Planner::setup();
-  if (!has_position(*si_->getStateSpace()))
-    throw ompl::Exception(getName(),
-                          "plans in the plane: RealVectorStateSpace(2) or SE2StateSpace");
-}
-
 void ReactiveVoronoi::clear() {
-  Planner::clear();
-  free_states();
-  attempts_.clear();
+  TravelPlanner::clear();
   leg_.reset();
+  live_goal_.reset();
+  live_goal_of_ = nullptr;
   memory_ = {};
   mode_ = ReactiveMode::none;
 }
 
-void ReactiveVoronoi::free_states() {
-  for (ob::State* state : starts_) si_->freeState(state);
-  for (ob::State* state : goals_) si_->freeState(state);
-  starts_.clear();
-  goals_.clear();
-}
-
 ob::PlannerStatus ReactiveVoronoi::solve(const ob::PlannerTerminationCondition& ptc) {
-  checkValidity();
-  auto* goal = dynamic_cast<ob::GoalSampleableRegion*>(pdef_->getGoal().get());
-  if (!goal) return ob::PlannerStatus::UNRECOGNIZED_GOAL_TYPE;
   const auto* geometry = dynamic_cast<const KnownGeometry*>(si_->getStateValidityChecker().get());
-  if (geometry && geometry->belief()) return next_leg(*geometry, *goal);
-  return fly_missions(ptc);
+  if (geometry && geometry->belief()) return next_leg(*geometry);
+  const ob::PlannerStatus status = TravelPlanner::solve(ptc);
+  if (const auto* mission = static_cast<const Mission*>(latest())) mode_ = mission->mode();
+  return status;
 }
 
-ob::PlannerStatus ReactiveVoronoi::next_leg(const KnownGeometry& geometry,
-                                            ob::GoalSampleableRegion& goal) {
+bool ReactiveVoronoi::choose_live_goal() {
+  const auto* goal = dynamic_cast<const ob::GoalSampleableRegion*>(pdef_->getGoal().get());
+  if (goal && goal != live_goal_of_) {
+    live_goal_ = std::make_shared<ob::ScopedState<>>(si_);
+    goal->sampleGoal(live_goal_->get());
+    live_goal_of_ = goal;
+  }
+  return goal != nullptr;
+}
+
+ob::PlannerStatus ReactiveVoronoi::next_leg(const KnownGeometry& geometry) {
+  checkValidity();
+  if (!choose_live_goal()) return ob::PlannerStatus::UNRECOGNIZED_GOAL_TYPE;
   pis_.restart();  // the start is another one in every solve
   const ob::State* start = pis_.nextStart();
   if (!start) return ob::PlannerStatus::INVALID_START;
   const ob::StateSpace& space = *si_->getStateSpace();
-  ob::ScopedState<> target(si_);
-  goal.sampleGoal(target.get());
+  ob::ScopedState<> target(*live_goal_);
   const Vec2 goal_world = position_of(space, target.get());
 
   const ReactiveDecision decision = reactive_step(*geometry.belief(), goal_world, config_, memory_);
@@ -116,84 +104,13 @@ ob::PlannerStatus ReactiveVoronoi::next_leg(const KnownGeometry& geometry,
   return {true, !exact};
 }
 
-ob::PlannerStatus ReactiveVoronoi::fly_missions(const ob::PlannerTerminationCondition& ptc) {
-  while (const ob::State* start = pis_.nextStart()) starts_.push_back(si_->cloneState(start));
-  if (starts_.empty()) return ob::PlannerStatus::INVALID_START;
-  if (!read_goals(ptc)) return ob::PlannerStatus::INVALID_GOAL;
-
-  do {
-    if (attempts_.empty() || attempts_.back().mission.status() == Mission::Status::stuck)
-      if (!begin_attempt()) break;
-    Mission& mission = attempts_.back().mission;
-    while (mission.status() == Mission::Status::under_way && !ptc) mission.advance();
-    mode_ = mission.mode();
-  } while (attempts_.back().mission.status() != Mission::Status::at_goal && !ptc);
-
-  const auto best =
-      std::min_element(attempts_.begin(), attempts_.end(), [](const Attempt& a, const Attempt& b) {
-        return a.mission.closest_m() < b.mission.closest_m();
-      });
-  return report(*best);
-}
-
-bool ReactiveVoronoi::read_goals(const ob::PlannerTerminationCondition& ptc) {
-  if (goals_.empty()) {
-    if (const ob::State* goal = pis_.nextGoal(ptc)) goals_.push_back(si_->cloneState(goal));
-  }
-  while (goals_.size() < kMostGoals && pis_.haveMoreGoalStates()) {
-    const ob::State* goal = pis_.nextGoal();
-    if (!goal) break;
-    goals_.push_back(si_->cloneState(goal));
-  }
-  return !goals_.empty();
-}
-
-// The first pair of a start and a goal that has not been tried, in the order in which they came.
-bool ReactiveVoronoi::begin_attempt() {
-  for (std::size_t start = 0; start < starts_.size(); ++start) {
-    for (std::size_t goal = 0; goal < goals_.size(); ++goal) {
-      const bool tried = std::any_of(attempts_.begin(), attempts_.end(), [&](const Attempt& each) {
-        return each.start == start && each.goal == goal;
-      });
-      if (tried) continue;
-      attempts_.push_back(
-          {start, goal, Mission(si_, config_, mission_config_, starts_[start], goals_[goal])});
-      return true;
-    }
-  }
-  return false;
-}
-
-ob::PlannerStatus ReactiveVoronoi::report(const Attempt& attempt) {
-  const Mission& mission = attempt.mission;
-  const bool exact = mission.status() == Mission::Status::at_goal;
-  if (!exact && mission.closest_index() == 0) return ob::PlannerStatus::TIMEOUT;
-  auto path = std::make_shared<og::PathGeometric>(si_);
-  for (std::size_t i = 0; i <= mission.closest_index(); ++i)
-    path->append(mission.executed().getState(static_cast<unsigned>(i)));
-  pdef_->addSolutionPath(path, !exact, mission.closest_m(), getName());
-  return {true, !exact};
+std::unique_ptr<Travel> ReactiveVoronoi::travel(const ob::State* start, const ob::State* goal) {
+  return std::make_unique<Mission>(si_, config_, mission_config_, start, goal);
 }
 
 void ReactiveVoronoi::getPlannerData(ob::PlannerData& data) const {
-  Planner::getPlannerData(data);
-  const auto add_chain = [&](const og::PathGeometric& path) {
-    const unsigned count = static_cast<unsigned>(path.getStateCount());
-    for (unsigned i = 0; i < count; ++i) {
-      const ob::PlannerDataVertex vertex(path.getState(i));
-      if (i == 0)
-        data.addStartVertex(vertex);
-      else
-        data.addEdge(ob::PlannerDataVertex(path.getState(i - 1)), vertex);
-    }
-  };
-  for (const Attempt& attempt : attempts_) {
-    const og::PathGeometric& way = attempt.mission.executed();
-    add_chain(way);
-    if (attempt.mission.status() == Mission::Status::at_goal)
-      data.markGoalState(way.getState(static_cast<unsigned>(way.getStateCount() - 1)));
-  }
-  if (leg_) add_chain(*leg_);
+  TravelPlanner::getPlannerData(data);
+  if (leg_) add_chain(*leg_, data);
 }
 
 }  // namespace voronaut

@@ -1,8 +1,9 @@
+#include "voronaut/planners/ray_range.h"
+
 #include <memory>
 
 #include "voronaut/planners/known_geometry.h"
 #include "voronaut/planners/planar_state.h"
-#include "voronaut/planners/reactive_voronoi/mission.h"
 
 namespace voronaut {
 
@@ -55,6 +56,12 @@ RayRange ray_range(const ob::SpaceInformationPtr& si, const ob::State* reference
   return [si, probe, resolution_m](const Vec2& from, const Vec2& direction, double max_range_m) {
     return range_through_validity(*si, probe.get(), from, direction, max_range_m, resolution_m);
   };
+}
+
+void sense(const RayRange& range, Scan& scan) {
+  scan.range_m.resize(scan.beams->direction_sensor.size());
+  for (std::size_t i = 0; i < scan.size(); ++i)
+    scan.range_m[i] = range(scan.sensor_world.p_world, scan.direction_world(i), scan.max_range_m);
 }
 
 }  // namespace voronaut
