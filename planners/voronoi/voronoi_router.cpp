@@ -1,8 +1,9 @@
 #include "voronaut/planners/voronoi/voronoi_router.h"
 
 #include <algorithm>
-#include <cstring>
+#include <cmath>
 
+#include "voronaut/planners/voronoi/free_places.h"
 #include "voronaut/planners/voronoi/taut_path.h"
 
 namespace voronaut {
@@ -14,6 +15,9 @@ constexpr double kCheckMargin_m = 1e-6;
 static_assert(VoronoiRouter::kMargin_m - kCheckMargin_m >
               DelaunayTriangulation::kRounding_m + 1e-6);
 
+// Places on the circle about a point are pushed off it by this, not to be within it by rounding.
+constexpr double kPlaceMargin_m = 1e-6;
+
 // Bounds up to this half extent are the domain as they are; larger ones are cut to what is known.
 constexpr double kLargeHalfExtent_m = 1000;
 
@@ -23,10 +27,6 @@ Bounds grown(const Bounds& b, double margin_m) {
 
 Bounds common(const Bounds& a, const Bounds& b) {
   return {a.min.cwiseMax(b.min), a.max.cwiseMin(b.max)};
-}
-
-bool contains(const Bounds& outer, const Bounds& inner) {
-  return outer.contains(inner.min) && outer.contains(inner.max);
 }
 
 std::vector<Terminal> terminals(const std::vector<Lead>& leads) {
@@ -67,11 +67,9 @@ void VoronoiRouter::observe(std::span<const Vec2> points, const Bounds& bounds,
   bounds_ = bounds;
   clearance_min_m_ = clearance_min_m;
   radius_m_ = clearance_min_m + kMargin_m;
-  const Bounds needed = domain_for(points, places);
-  if (!continues || !contains(domain_, needed)) {
-    // Room to spare where the bounds leave it, so that the next points do not force a rebuild.
-    const Vec2 size = needed.max - needed.min;
-    domain_ = common(bounds, grown(needed, 0.5 * size.maxCoeff() + 4 * radius_m_));
+  const Bounds domain = domain_for(points, places);
+  if (!continues || domain.min != domain_.min || domain.max != domain_.max) {
+    domain_ = domain;
     rebuild(points);
     return;
   }
@@ -81,8 +79,9 @@ void VoronoiRouter::observe(std::span<const Vec2> points, const Bounds& bounds,
   graph_is_current_ = false;
 }
 
-// The least area that decides: the bounds, or what is known of very large ones and a ring around
-// it. Whoever leaves that ring may as well follow it.
+// The area that decides: the bounds, or what is known of very large ones and a ring around it.
+// Whoever leaves that ring may as well follow it. Depends on its arguments only, and seldom changes
+// when little is added: its sides lie on a grid of its own size.
 Bounds VoronoiRouter::domain_for(std::span<const Vec2> points, std::span<const Vec2> places) const {
   if ((0.5 * (bounds_.max - bounds_.min)).maxCoeff() <= kLargeHalfExtent_m) return bounds_;
   const Bounds matters = grown(bounds_, radius_m_);
@@ -91,7 +90,12 @@ Bounds VoronoiRouter::domain_for(std::span<const Vec2> points, std::span<const V
   for (const Vec2& p : places) include(p);
   for (const Vec2& p : points)
     if (matters.contains(p)) include(p);
-  return common(bounds_, grown(box, 2 * radius_m_));
+  box = grown(box, 4 * radius_m_);
+  int exponent = 0;
+  std::frexp((box.max - box.min).maxCoeff(), &exponent);
+  const double cell_m = std::ldexp(1.0, exponent);
+  return common(bounds_, {Vec2((box.min / cell_m).array().floor() * cell_m),
+                          Vec2((box.max / cell_m).array().ceil() * cell_m)});
 }
 
 void VoronoiRouter::rebuild(std::span<const Vec2> points) {
@@ -120,7 +124,8 @@ const VoronoiGraph& VoronoiRouter::graph() {
 
 Route VoronoiRouter::route(const RouteQuery& query) {
   Route route;
-  if (cells_.swept_disc_is_clear(query.start, query.goal, radius_m_)) {
+  if (cells_.swept_disc_is_clear(query.start, query.goal, radius_m_) ||
+      (query.motion_is_clear && query.motion_is_clear(query.start, query.goal))) {
     route.points = {query.start, query.goal};
   } else {
     graph();
@@ -137,6 +142,34 @@ Route VoronoiRouter::route(const RouteQuery& query) {
   return route;
 }
 
+Route VoronoiRouter::route_near(const RouteQuery& query, double tolerance_m) {
+  Route at_goal = route(query);
+  if (at_goal.verdict == Route::Verdict::found || tolerance_m <= 0) return at_goal;
+  const auto sites = delaunay_.sites().subspan(DelaunayTriangulation::kFrameSites);
+  const std::vector<Vec2> places =
+      closest_free_places(sites, domain_, query.goal, tolerance_m, radius_m_, kPlaceMargin_m);
+  const Approach from = approach(query.start, query.motion_is_clear);
+  std::vector<Approach> ways;
+  for (const Vec2& place : places) ways.push_back(approach(place, {}));
+
+  // One flood from the start tells which of them can be reached.
+  search_.run(graph_, terminals(from.leads), {}, query.goal, found_);
+  const auto reachable = std::find_if(ways.begin(), ways.end(), [&](const Approach& to) {
+    return shares_piece(from, to) || leads_to_reached(to);
+  });
+  if (reachable != ways.end()) {
+    RouteQuery closer = query;
+    closer.goal = places[reachable - ways.begin()];
+    return route(closer);
+  }
+  at_goal.verdict = Route::Verdict::goal_closed;
+  for (std::size_t i = 0; i < ways.size(); ++i) {
+    at_goal.verdict = verdict_of_failure(from, ways[i], query.start, places[i]);
+    if (at_goal.verdict == Route::Verdict::unproven) break;
+  }
+  return at_goal;
+}
+
 VoronoiRouter::Approach VoronoiRouter::approach(const Vec2& p,
                                                 const MotionCheck& motion_is_clear) const {
   Approach a;
@@ -149,12 +182,18 @@ VoronoiRouter::Approach VoronoiRouter::approach(const Vec2& p,
   return a;
 }
 
+// Whether both land on the same edge with nothing between them.
+bool VoronoiRouter::shares_piece(const Approach& a, const Approach& b) const {
+  const Retraction &s = a.retraction, &g = b.retraction;
+  return !a.relaxed && !b.relaxed && s.ends == g.ends &&
+         graph_.is_clear(s.landing, g.landing, s.sites[0]) &&
+         graph_.is_clear(s.landing, g.landing, s.sites[1]);
+}
+
 bool VoronoiRouter::along_graph(const RouteQuery& query, const Approach& from, const Approach& to,
                                 std::vector<Vec2>& points) {
   const Retraction &s = from.retraction, &g = to.retraction;
-  if (!from.relaxed && !to.relaxed && s.ends == g.ends &&
-      graph_.is_clear(s.landing, g.landing, s.sites[0]) &&
-      graph_.is_clear(s.landing, g.landing, s.sites[1])) {
+  if (shares_piece(from, to)) {
     points = {query.start, s.landing, g.landing, query.goal};
     return true;
   }
@@ -233,6 +272,11 @@ Route::Verdict VoronoiRouter::verdict_of_failure(const Approach& from, const App
 // sites of such cells are no farther from p than three radii.
 bool VoronoiRouter::is_close(SiteId s, const Vec2& p) const {
   return (delaunay_.site(s) - p).norm() <= 3 * radius_m_;
+}
+
+bool VoronoiRouter::leads_to_reached(const Approach& a) const {
+  return std::any_of(a.leads.begin(), a.leads.end(),
+                     [this](const Lead& lead) { return search_.reached(lead.vertex); });
 }
 
 bool VoronoiRouter::may_touch(const Vec2& p) const {

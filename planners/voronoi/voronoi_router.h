@@ -73,8 +73,11 @@ class VoronoiRouter {
                std::span<const Vec2> places);
   void clear();
 
-  // The start and the goal must be among the places.
+  // The start and the goal must be among the places and within the bounds.
   Route route(const RouteQuery& query);
+  // The same, but any place within tolerance_m of the goal will do if the goal itself cannot be
+  // reached: the closest one. "No path" then speaks of all of them.
+  Route route_near(const RouteQuery& query, double tolerance_m);
 
   // Brought up to date by route() unless the straight line was free; by this in any case.
   const VoronoiGraph& graph();
@@ -94,6 +97,7 @@ class VoronoiRouter {
   void rebuild(std::span<const Vec2> points);
   void add(const Vec2& p);
   Approach approach(const Vec2& p, const MotionCheck& motion_is_clear) const;
+  bool shares_piece(const Approach& a, const Approach& b) const;
   bool along_graph(const RouteQuery& query, const Approach& from, const Approach& to,
                    std::vector<Vec2>& points);
   void shorten(const RouteQuery& query, const Approach& from, const Approach& to,
@@ -101,6 +105,7 @@ class VoronoiRouter {
   std::vector<Vec2> shortened(Shortening how, const std::vector<Vec2>& path);
   Route::Verdict verdict_of_failure(const Approach& from, const Approach& to, const Vec2& start,
                                     const Vec2& goal);
+  bool leads_to_reached(const Approach& a) const;
   bool may_touch(const Vec2& p) const;
   bool is_close(SiteId s, const Vec2& p) const;
 

@@ -1,0 +1,344 @@
+#include "voronaut/planners/voronoi/voronoi_roadmap.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <memory>
+#include <string>
+
+#include <ompl/base/PlannerData.h>
+#include <ompl/base/goals/GoalState.h>
+#include <ompl/base/goals/GoalStates.h>
+#include <ompl/config.h>
+#include <ompl/geometric/PathGeometric.h>
+
+#include "voronaut/planners/parameter_declaration.h"
+#include "voronaut/planners/planar_state.h"
+#include "voronaut/planners/voronoi/boundary_sampling.h"
+
+namespace voronaut {
+
+namespace ob = ompl::base;
+namespace og = ompl::geometric;
+
+namespace {
+
+constexpr int kMaxRepairs = 64;
+// OMPL's goal regions are open: a place at the very threshold does not satisfy them.
+constexpr double kInsideThreshold = 0.999;
+constexpr double kLeastTolerance_m = 1e-6;
+
+constexpr const char* kTimeout = "the termination condition was met first";
+constexpr const char* kGoalBlocked = "no place within the goal's tolerance has the clearance";
+constexpr const char* kRefused = "the motion validator refuses the route found";
+constexpr const char* kNotSampled = "no path was found on the sampled border of the valid states";
+
+}  // namespace
+
+VoronoiRoadmap::VoronoiRoadmap(const ob::SpaceInformationPtr& si)
+    : Planner(si, "VoronoiRoadmap"), best_cost_(std::numeric_limits<double>::infinity()) {
+  specs_.recognizedGoal = ob::GOAL_SAMPLEABLE_REGION;
+  ParameterDeclaration declaration(params_);
+  config_.visit(declaration);
+  addPlannerProgressProperty("roadmap vertices INTEGER",
+                             [this] { return std::to_string(vertex_count_); });
+  addPlannerProgressProperty("roadmap edges INTEGER",
+                             [this] { return std::to_string(edge_count_); });
+  addPlannerProgressProperty("best cost REAL", [this] { return std::to_string(best_cost_); });
+}
+
+VoronoiRoadmap::~VoronoiRoadmap() { forget_query(); }
+
+void VoronoiRoadmap::setup() {
+  Planner::setup();
+  if (!has_position(*si_->getStateSpace()))
+    throw ompl::Exception(getName(), "needs a state space with a position in the plane");
+  specs_.provingSolutionNonExistence = geometry() != nullptr;
+}
+
+void VoronoiRoadmap::clear() {
+  Planner::clear();
+  forget_query();
+}
+
+void VoronoiRoadmap::clearQuery() { clear(); }
+
+void VoronoiRoadmap::forget_query() {
+  free_states(starts_);
+  free_states(goals_);
+  free_states(data_states_);
+  solution_.clear();
+  proved_no_path_ = false;
+  failure_reason_ = {};
+  vertex_count_ = 0;
+  edge_count_ = 0;
+  best_cost_ = std::numeric_limits<double>::infinity();
+}
+
+void VoronoiRoadmap::free_states(std::vector<ob::State*>& states) const {
+  si_->freeStates(states);
+  states.clear();
+}
+
+const KnownGeometry* VoronoiRoadmap::geometry() const {
+  return dynamic_cast<const KnownGeometry*>(si_->getStateValidityChecker().get());
+}
+
+ob::PlannerStatus VoronoiRoadmap::solve(const ob::PlannerTerminationCondition& ptc) {
+  checkValidity();
+  const auto* goal = dynamic_cast<const ob::GoalSampleableRegion*>(pdef_->getGoal().get());
+  if (!goal) return ob::PlannerStatus::UNRECOGNIZED_GOAL_TYPE;
+  const KnownGeometry* known = geometry();
+  specs_.provingSolutionNonExistence = known != nullptr;
+  // Starts and goals are read anew: whatever was added since the last solve is among them.
+  forget_query();
+  pis_.restart();
+  read_starts();
+  if (starts_.empty()) return ob::PlannerStatus::INVALID_START;
+  const bool all_goals = read_goals(*goal, ptc, known != nullptr);
+  if (ptc()) return failure(kTimeout, false, ob::PlannerStatus::TIMEOUT);
+  if (goals_.empty()) return failure("no goal is valid", false, ob::PlannerStatus::INVALID_GOAL);
+  return known ? solve_exactly(*known, all_goals, ptc) : solve_by_sampling(ptc);
+}
+
+void VoronoiRoadmap::read_starts() {
+  while (const ob::State* start = pis_.nextStart()) starts_.push_back(si_->cloneState(start));
+}
+
+bool VoronoiRoadmap::read_goals(const ob::GoalSampleableRegion& goal,
+                                const ob::PlannerTerminationCondition& ptc, bool exact) {
+  const auto limit = static_cast<std::size_t>(config_.goals_max);
+  if (const ob::State* first = pis_.nextGoal(ptc)) goals_.push_back(si_->cloneState(first));
+  while (!goals_.empty() && goals_.size() < limit && pis_.haveMoreGoalStates() && !ptc()) {
+    const ob::State* more = pis_.nextGoal();
+    if (!more) break;
+    goals_.push_back(si_->cloneState(more));
+  }
+  const auto* single = dynamic_cast<const ob::GoalState*>(&goal);
+  // A goal state that is not valid still stands for the places around it.
+  if (exact && goals_.empty() && single && si_->satisfiesBounds(single->getState()))
+    goals_.push_back(si_->cloneState(single->getState()));
+  return single || (dynamic_cast<const ob::GoalStates*>(&goal) && !pis_.haveMoreGoalStates());
+}
+
+double VoronoiRoadmap::tolerance_m() const {
+  const auto* goal = dynamic_cast<const ob::GoalState*>(pdef_->getGoal().get());
+  const double tolerance = goal ? kInsideThreshold * goal->getThreshold() : 0;
+  return tolerance < kLeastTolerance_m ? 0 : tolerance;
+}
+
+ob::PlannerStatus VoronoiRoadmap::solve_exactly(const KnownGeometry& known, bool all_goals,
+                                                const ob::PlannerTerminationCondition& ptc) {
+  const MotionCheck motion_is_clear = [&known](const Vec2& a, const Vec2& b) {
+    return known.motion_is_clear(a, b);
+  };
+  const Bounds bounds = position_bounds(*si_->getStateSpace());
+  std::vector<Vec2> places;
+  for (const auto& states : {starts_, goals_})
+    for (const ob::State* state : states) places.push_back(position(state));
+  router_.observe(known.known_obstacles().points(), bounds, known.clearance_min_m(), places);
+
+  Question answered{nullptr, nullptr, tolerance_m()};
+  Route best;
+  bool proved = all_goals;
+  std::string_view why;
+  for (const ob::State* start : starts_) {
+    for (const ob::State* goal : goals_) {
+      if (ptc()) return failure(kTimeout, false, ob::PlannerStatus::TIMEOUT);
+      const Question question{start, goal, answered.tolerance_m};
+      Route route = ask(question, bounds, motion_is_clear, config_.shortening);
+      // The validator has the last word: it may know more than the geometry says.
+      if (!is_valid_path(start, route.points))
+        route = ask(question, bounds, motion_is_clear, Shortening::none);
+      if (!is_valid_path(start, route.points)) {
+        proved = false;
+        why = kRefused;
+      } else if (route.verdict != Route::Verdict::found) {
+        proved = proved && route.proved_no_path();
+        why = reason(route.verdict);
+      } else if (best.points.empty() || route.length_m < best.length_m) {
+        best = std::move(route);
+        answered = question;
+      }
+    }
+  }
+  if (!best.points.empty()) return report(answered, best);
+  const bool goal_valid = std::any_of(goals_.begin(), goals_.end(),
+                                      [this](const ob::State* g) { return si_->isValid(g); });
+  if (goal_valid) return failure(why, proved, ob::PlannerStatus::TIMEOUT);
+  return failure(kGoalBlocked, proved, ob::PlannerStatus::INVALID_GOAL);
+}
+
+Route VoronoiRoadmap::ask(const Question& question, const Bounds& bounds,
+                          const MotionCheck& motion_is_clear, Shortening shortening) {
+  RouteQuery query;
+  query.start = clamped(position(question.start), bounds);
+  query.goal = clamped(position(question.goal), bounds);
+  query.shortening = shortening;
+  query.motion_is_clear = motion_is_clear;
+  return router_.route_near(query, question.tolerance_m);
+}
+
+ob::PlannerStatus VoronoiRoadmap::solve_by_sampling(const ob::PlannerTerminationCondition& ptc) {
+  const Bounds bounds = position_bounds(*si_->getStateSpace());
+  ob::State* probe = si_->cloneState(starts_.front());
+  const auto is_valid = [&](const Vec2& p) {
+    set_position(*si_->getStateSpace(), probe, p);
+    return si_->isValid(probe);
+  };
+  ob::PlannerStatus status = ob::PlannerStatus::UNKNOWN;
+  for (int cells = config_.boundary_cells; status == ob::PlannerStatus::UNKNOWN; cells *= 2) {
+    BoundarySamples border = sample_boundary(is_valid, bounds, cells, [&ptc] { return ptc(); });
+    for (const ob::State* start : starts_) {
+      for (const ob::State* goal : goals_) {
+        if (ptc() || status) break;
+        const Question question{start, goal, 0};
+        const Route route =
+            ask_and_repair(question, bounds, border.clearance_m, border.points, ptc);
+        if (!route.points.empty()) status = report(question, route);
+      }
+    }
+    if (status) break;
+    if (ptc())
+      status = failure(kTimeout, false, ob::PlannerStatus::TIMEOUT);
+    else if (2 * cells > config_.boundary_cells_max)
+      status = failure(kNotSampled, false, ob::PlannerStatus::TIMEOUT);
+  }
+  si_->freeState(probe);
+  return status;
+}
+
+// Where the validity check refuses a route, it has found an obstacle that the grid has missed: the
+// place becomes a point, and the route is asked for again.
+Route VoronoiRoadmap::ask_and_repair(const Question& question, const Bounds& bounds,
+                                     double clearance_m, std::vector<Vec2>& points,
+                                     const ob::PlannerTerminationCondition& ptc) {
+  const MotionCheck motion_is_clear = [&](const Vec2& a, const Vec2& b) {
+    return is_valid_motion(question.start, a, b);
+  };
+  const std::vector<Vec2> places{position(question.start), position(question.goal)};
+  for (int repair = 0; repair < kMaxRepairs && !ptc(); ++repair) {
+    router_.observe(points, bounds, clearance_m, places);
+    Route route = ask(question, bounds, motion_is_clear, config_.shortening);
+    if (route.verdict != Route::Verdict::found) return {};
+    const std::vector<Vec2> refused = invalid_places(question.start, route.points);
+    if (refused.empty()) return route;
+    points.insert(points.end(), refused.begin(), refused.end());
+  }
+  return {};
+}
+
+ob::PlannerStatus VoronoiRoadmap::failure(std::string_view why, bool proved,
+                                          ob::PlannerStatus::StatusType otherwise) {
+  failure_reason_ = why;
+  proved_no_path_ = proved;
+#if OMPL_VERSION_VALUE >= 1006000
+  if (proved) return ob::PlannerStatus::INFEASIBLE;
+#endif
+  return otherwise;
+}
+
+ob::PlannerStatus VoronoiRoadmap::report(const Question& question, const Route& route) {
+  const auto path = std::make_shared<og::PathGeometric>(si_);
+  const ob::StateSpace& space = *si_->getStateSpace();
+  ob::State* state = si_->cloneState(question.start);
+  path->append(state);
+  for (std::size_t i = 1; i + 1 < route.points.size(); ++i) {
+    set_position(space, state, route.points[i]);
+    path->append(state);
+  }
+  si_->copyState(state, question.goal);
+  if (position(question.goal) != route.points.back())
+    set_position(space, state, route.points.back());
+  path->append(state);
+  si_->freeState(state);
+
+  solution_ = route.points;
+  best_cost_ = route.length_m;
+  vertex_count_ = router_.graph().vertices().size();
+  edge_count_ = router_.graph().edges().size();
+  pdef_->addSolutionPath(path, false, 0, getName());
+  return ob::PlannerStatus::EXACT_SOLUTION;
+}
+
+Vec2 VoronoiRoadmap::position(const ob::State* state) const {
+  return position_of(*si_->getStateSpace(), state);
+}
+
+bool VoronoiRoadmap::is_valid_motion(const ob::State* like, const Vec2& a, const Vec2& b) const {
+  return is_valid_path(like, {a, b});
+}
+
+bool VoronoiRoadmap::is_valid_path(const ob::State* like, const std::vector<Vec2>& path) const {
+  const ob::StateSpace& space = *si_->getStateSpace();
+  ob::State* from = si_->cloneState(like);
+  ob::State* to = si_->cloneState(like);
+  bool valid = true;
+  for (std::size_t i = 1; valid && i < path.size(); ++i) {
+    set_position(space, from, path[i - 1]);
+    set_position(space, to, path[i]);
+    valid = si_->checkMotion(from, to);
+  }
+  si_->freeState(from);
+  si_->freeState(to);
+  return valid;
+}
+
+// The first place of each piece that is not valid.
+std::vector<Vec2> VoronoiRoadmap::invalid_places(const ob::State* like,
+                                                 const std::vector<Vec2>& path) const {
+  const double step = si_->getStateSpace()->getLongestValidSegmentLength();
+  ob::State* probe = si_->cloneState(like);
+  std::vector<Vec2> places;
+  for (std::size_t i = 1; i < path.size(); ++i) {
+    if (is_valid_motion(like, path[i - 1], path[i])) continue;
+    const Vec2 along = path[i] - path[i - 1];
+    const int steps = std::max(1, static_cast<int>(std::ceil(along.norm() / step)));
+    Vec2 place = 0.5 * (path[i - 1] + path[i]);
+    for (int k = 0; k <= steps; ++k) {
+      const Vec2 p = path[i - 1] + along * k / steps;
+      set_position(*si_->getStateSpace(), probe, p);
+      if (si_->isValid(probe)) continue;
+      place = p;
+      break;
+    }
+    places.push_back(place);
+  }
+  si_->freeState(probe);
+  return places;
+}
+
+void VoronoiRoadmap::getPlannerData(ob::PlannerData& data) const {
+  Planner::getPlannerData(data);
+  if (starts_.empty() || router_.delaunay().site_count() == 0) return;
+  const ob::StateSpace& space = *si_->getStateSpace();
+  const auto state_at = [&](const Vec2& p) {
+    ob::State* state = si_->cloneState(starts_.front());
+    set_position(space, state, p);
+    data_states_.push_back(state);
+    return state;
+  };
+  const VoronoiGraph& graph = router_.graph();
+  std::vector<unsigned> vertex;
+  for (const Vec2& p : graph.vertices())
+    vertex.push_back(data.addVertex(ob::PlannerDataVertex(state_at(p))));
+  const auto connect = [&](unsigned a, unsigned b, double length_m) {
+    data.addEdge(a, b, ob::PlannerDataEdge(), ob::Cost(length_m));
+    data.addEdge(b, a, ob::PlannerDataEdge(), ob::Cost(length_m));
+  };
+  for (const VoronoiGraph::Edge& edge : graph.edges())
+    connect(vertex[edge.u], vertex[edge.v], edge.length_m);
+
+  constexpr int kSolutionTag = 1;
+  unsigned previous = 0;
+  for (std::size_t i = 0; i < solution_.size(); ++i) {
+    const ob::PlannerDataVertex v(state_at(solution_[i]), kSolutionTag);
+    const unsigned index = i == 0                      ? data.addStartVertex(v)
+                           : i + 1 == solution_.size() ? data.addGoalVertex(v)
+                                                       : data.addVertex(v);
+    if (i > 0) connect(previous, index, (solution_[i] - solution_[i - 1]).norm());
+    previous = index;
+  }
+}
+
+}  // namespace voronaut
