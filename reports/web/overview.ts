@@ -109,7 +109,7 @@ function detailTable(rows: PlannerSummary[], manyVehicles: boolean, palette: Pal
       "planning_time_us_median", 0),
     estimate("whole step\n\u00B5s", "median of the trials' means; measured, not deterministic",
       "step_time_us_median", 0),
-    { heading: "ended otherwise", text: true, wrap: true, cell: otherOutcomes,
+    { heading: "ended otherwise", text: true, cell: otherOutcomes,
       order: (r) => r.n - r.success.successes },
   ];
   if (manyVehicles) {

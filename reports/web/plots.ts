@@ -12,7 +12,7 @@ import { standaloneSvg } from "./take_away";
 
 const kWidth = 560;
 const kHeight = 340;
-const kMargin = { top: 12, right: 18, bottom: 46, left: 58 };
+const kMargin = { top: 12, right: 28, bottom: 46, left: 58 };
 
 export interface Sample {
   planner: string;
@@ -146,7 +146,7 @@ export function stripPlot(
   if (!logarithmic) span[0] = Math.min(0, span[0]);
   if (span[0] === span[1]) span[1] = span[0] * 2 || 1;
   const range: [number, number] = [kMargin.left, kWidth - kMargin.right];
-  const x = logarithmic ? scaleLog().domain(span).nice().range(range)
+  const x = logarithmic ? scaleLog().domain([span[0] / 1.2, span[1] * 1.2]).range(range)
     : scaleLinear().domain(span).nice().range(range);
   const band = scaleBand<string>().domain(rows.map((r) => r.planner))
     .range([kMargin.top, kHeight - kMargin.bottom]).padding(0.25);

@@ -99,7 +99,7 @@ function drawTrack(root: SVGElement, trial: Trial, trace: Trace, view: View, pal
     svg("circle", { class: "body", cx: view.x(endX), cy: view.y(endY),
       r: Math.max(2, trace.body_radius_m * view.scale) }));
   if (trial.outcome !== kGoal) {
-    g.append(svg("text", { class: "sign", x: view.x(endX), y: view.y(endY) + 6, "font-size": 18 },
+    g.append(svg("text", { class: "sign", x: view.x(endX), y: view.y(endY) + 9 },
       outcomeSign(trial.outcome)));
   }
   root.append(g);

@@ -27,7 +27,7 @@ export const kQuantities: Quantity[] = [
   { id: "tilt", title: "Tilt", unit: "degrees", lines: (f) => [f.tilt_rad.map((v) => v * kDegrees)] },
   { id: "planning", title: "Planning time per scan (measured)", unit: "\u00B5s",
     lines: (f) => [f.planning_time_us] },
-  { id: "actuators", title: "Actuators (rotor speeds)", unit: "rad/s", lines: (f) => f.actuators },
+  { id: "actuators", title: "Actuators, rotor speeds of a quadrotor", unit: "rad/s", lines: (f) => f.actuators },
 ];
 
 export interface Series {
