@@ -9,6 +9,7 @@
 #include "voronaut/environments/generators/traps.h"
 #include "voronaut/environments/generators/walls.h"
 #include "voronaut/environments/nearest_name.h"
+#include "voronaut/environments/shortest_path.h"
 #include "voronaut/environments/world.h"
 
 namespace voronaut {
@@ -116,8 +117,8 @@ WorldGenerator WorldGenerator::named(std::string_view name) {
 bool WorldGenerator::admits(const GeneratedWorld& drawn) const {
   if (admission_.admission_clearance_m == 0) return true;
   const World world(drawn.bounds, drawn.shapes);
-  return world.clearance_m(drawn.start) >= admission_.admission_clearance_m &&
-         world.clearance_m(drawn.goal) >= admission_.admission_clearance_m;
+  return shortest_path(world, drawn.start, drawn.goal, admission_.admission_clearance_m)
+      .has_value();
 }
 
 GeneratedWorld WorldGenerator::generate(std::uint64_t seed) const {
@@ -130,12 +131,11 @@ GeneratedWorld WorldGenerator::generate(std::uint64_t seed) const {
     else if (admits(*drawn))
       return *std::move(drawn);
   }
-  const std::string problem = "no world of family '" + name_ + "' in " +
-                              std::to_string(admission_.draws_max) + " draws from seed " +
-                              std::to_string(seed) + ": " + std::to_string(unplaced) +
-                              " could not be placed, the others have no path for a disc of " +
-                              number_text(admission_.admission_clearance_m) + " m";
-  throw error(problem);
+  throw error("no '" + name_ + "' world in " + std::to_string(admission_.draws_max) +
+              " draws from seed " + std::to_string(seed) + ": " + std::to_string(unplaced) +
+              " could not be placed, " + std::to_string(admission_.draws_max - unplaced) +
+              " have no path for a disc of radius " +
+              number_text(admission_.admission_clearance_m) + " m");
 }
 
 ConfigError WorldGenerator::error(const std::string& problem) const {
