@@ -120,6 +120,7 @@ function start(): void {
   try {
     build(readReport(document.getElementById("report-data")?.textContent ?? ""), page);
     document.documentElement.dataset.ready = "yes";
+    document.documentElement.dataset.drawnMs = performance.now().toFixed(0);
   } catch (error) {
     page.replaceChildren(el("p", { role: "alert" }, `This report cannot be drawn: ${String(error)}`));
     throw error;

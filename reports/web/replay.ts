@@ -1,10 +1,13 @@
 // Up to four trials of one scene on one clock.
-import { firstPerPlanner, kGoal, loadTrace, Report, Scene, scenesOf, Trace, Trial } from "./data";
+import { kGoal, Report, Trial } from "./data";
 import { button, checkbox, el, fixed, nameOf, select } from "./dom";
 import { readReplayLink, replayLink, ReplayPlace } from "./links";
 import { outcomeSign, outcomeWords, Palette } from "./palette";
-import { frameAt, Ink, Layers, Painter, readInk, speedRamp } from "./replay_canvas";
+import { Ink, Layers, Painter, readInk } from "./replay_canvas";
+import { frameAt, speedRamp } from "./replay_geometry";
+import { firstPerPlanner, Scene, scenesOf } from "./scene";
 import { kQuantities, Series, timeSeries } from "./time_series";
+import { loadTrace, Trace } from "./trace";
 
 const kMostPanels = 4;
 const kScan_s = 0.05;

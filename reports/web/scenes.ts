@@ -1,10 +1,11 @@
 // One drawing per scenario and world: what is there, what was known of it at the end, and the ways.
-import { firstPerPlanner, hasTrace, kGoal, loadTrace, Report, Scene, scenesOf, Trace, Trial,
-  World } from "./data";
+import { kGoal, Report, Trial, World } from "./data";
 import { button, el, fixed, nameOf, saveText, select, svg } from "./dom";
 import { outcomeSign, outcomeWords, Palette } from "./palette";
 import { replayLink } from "./links";
+import { firstPerPlanner, Scene, scenesOf } from "./scene";
 import { standaloneSvg } from "./take_away";
+import { hasTrace, loadTrace, Trace } from "./trace";
 
 const kSide = 400;  // of the drawing, in its own units
 const kMostAtOnce = 24;
@@ -167,7 +168,7 @@ function sceneCard(report: Report, scene: Scene, mapOf: string, palette: Palette
 }
 
 // Drawings below the screen wait until they are scrolled to, or printed.
-function whenSeen(element: Element, action: () => void): void {
+export function whenSeen(element: Element, action: () => void): void {
   let done = false;
   const once = (): void => {
     if (!done) action();

@@ -3,10 +3,11 @@ import { axisBottom, axisLeft } from "d3-axis";
 import { scaleLinear } from "d3-scale";
 import { select } from "d3-selection";
 
-import { Frames, Trace, Trial } from "./data";
+import { Trial } from "./data";
 import { csv, svg } from "./dom";
 import { Palette } from "./palette";
 import { figureOf } from "./plots";
+import { Frames, Trace } from "./trace";
 
 const kWidth = 560;
 const kHeight = 170;
@@ -57,8 +58,11 @@ export function timeSeries(
   const lines = traces.map((trace) => quantity.lines(trace.frames));
   const all = lines.flat().flatMap((line) => Array.from(line)).filter((v) => !Number.isNaN(v));
   const high = all.reduce((a, b) => Math.max(a, b), 0);
-  const low = all.reduce((a, b) => Math.min(a, b), 0);
-  if (high === low) return null;  // nothing was recorded
+  let low = all.reduce((a, b) => Math.min(a, b), high);
+  if (all.length === 0 || (high === 0 && low === 0)) return null;  // nothing was recorded
+  // From zero, unless that would flatten what happens far from it.
+  if (low > 0 && low < 0.7 * high) low = 0;
+  if (low === high) low = 0;
   const x = scaleLinear().domain([0, end_s]).range([kMargin.left, kWidth - kMargin.right]);
   const y = scaleLinear().domain([low, high]).nice()
     .range([kHeight - kMargin.bottom, kMargin.top]);

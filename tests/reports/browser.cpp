@@ -52,7 +52,7 @@ class Scratch {
 void run(const Scratch& scratch, const std::filesystem::path& file, const std::string& fragment,
          const std::string& options, int budget_ms) {
   const std::string command =
-      "timeout 60 " + quoted(find_chromium().value().string()) +
+      "timeout 180 " + quoted(find_chromium().value().string()) +
       " --headless --no-sandbox --disable-gpu --disable-background-networking --no-first-run"
       " --disable-component-update --disable-sync --enable-logging=stderr --v=0"
       " --user-data-dir=" +
