@@ -19,10 +19,9 @@ void BoxGrid::place(std::uint32_t box, const Bounds& bounds) {
   const Cell cell = cells.cell_of(bounds.min.x(), bounds.min.y());
   if (entries_[box].level == level && entries_[box].cell == cell) return;
   remove(box);
-  const std::uint32_t head = cells.head(cell);
+  const std::uint32_t head = cells.replace_head(cell, box);
   entries_[box] = {cell, static_cast<std::uint8_t>(level), CellTiles::kEmpty, head};
   if (head != CellTiles::kEmpty) entries_[head].previous = box;
-  cells.set_head(cell, box);
   ++levels_[level].boxes;
 }
 
@@ -34,7 +33,7 @@ void BoxGrid::remove(std::uint32_t box) {
   if (entry.previous != CellTiles::kEmpty) {
     entries_[entry.previous].next = entry.next;
   } else {
-    level.cells.set_head(entry.cell, entry.next);
+    level.cells.replace_head(entry.cell, entry.next);
   }
   --level.boxes;
   entry = {};

@@ -1,5 +1,7 @@
 #include "voronaut/planners/mapping/cell_tiles.h"
 
+#include <utility>
+
 namespace voronaut {
 namespace {
 
@@ -13,33 +15,55 @@ CellTiles::CellTiles(double cell_m)
       shift_(64 - kFirstSlotsLog2),
       slots_(std::size_t{1} << kFirstSlotsLog2) {}
 
-void CellTiles::insert_slot(Slot slot) {
-  std::size_t i = first_slot(slot.key);
-  while (slots_[i].tile != kEmpty) i = (i + 1) & (slots_.size() - 1);
-  slots_[i] = slot;
+void CellTiles::insert(const Slot& slot) {
+  const std::size_t place = static_cast<std::size_t>(
+      &find(static_cast<std::uint32_t>(slot.key >> 32), static_cast<std::uint32_t>(slot.key)) -
+      slots_.data());
+  slots_[place] = slot;
 }
 
-void CellTiles::set_head(Cell cell, std::uint32_t head) {
-  const std::uint32_t x = cell.x >> 3;
-  const std::uint32_t y = cell.y >> 3;
-  std::size_t found = find(x, y);
-  if (found == kNoTile) {
-    found = tiles_.size();
-    tiles_.emplace_back().head.fill(kEmpty);
-    if (2 * tiles_.size() > slots_.size()) {
+CellTiles::Slot& CellTiles::find_or_make(std::uint32_t x, std::uint32_t y) {
+  const Slot* slot = &find(x, y);
+  if (slot->key == kNoKey) {
+    if (2 * ++tiles_ > slots_.size()) {
       std::vector<Slot> smaller(2 * slots_.size());
       smaller.swap(slots_);
       --shift_;
-      for (const Slot& slot : smaller) {
-        if (slot.tile != kEmpty) insert_slot(slot);
+      for (const Slot& old : smaller) {
+        if (old.key != kNoKey) insert(old);
       }
     }
-    insert_slot({key_of(x, y), static_cast<std::uint32_t>(found)});
+    insert({key_of(x, y), 0, 0, kEmpty});
+    slot = &find(x, y);
   }
-  Tile& tile = tiles_[found];
+  return slots_[static_cast<std::size_t>(slot - slots_.data())];
+}
+
+std::uint32_t CellTiles::replace_head(Cell cell, std::uint32_t item) {
+  Slot& slot = find_or_make(cell.x >> 3, cell.y >> 3);
+  if (slot.tile == kEmpty) {
+    slot.tile = heads_.size();
+    heads_.emplace_back().fill(kEmpty);
+  }
   const std::uint64_t bit = std::uint64_t{1} << bit_of(cell);
-  tile.occupied = head == kEmpty ? tile.occupied & ~bit : tile.occupied | bit;
-  tile.head[bit_of(cell)] = head;
+  slot.occupied = item == kEmpty ? slot.occupied & ~bit : slot.occupied | bit;
+  return std::exchange(heads_[slot.tile][bit_of(cell)], item);
+}
+
+void CellTiles::mark_near(Cell cell) {
+  using namespace tile_masks;
+  const Cell low{cell.x - kNearCells, cell.y - kNearCells};
+  const Cell high{cell.x + kNearCells, cell.y + kNearCells};
+  for (std::uint32_t y = low.y >> 3; y <= high.y >> 3; ++y) {
+    for (std::uint32_t x = low.x >> 3; x <= high.x >> 3; ++x) {
+      std::uint64_t marks = kAll;
+      if (y == low.y >> 3) marks &= kRowsFrom[low.y & 7];
+      if (y == high.y >> 3) marks &= kRowsUpTo[high.y & 7];
+      if (x == low.x >> 3) marks &= kColumnsFrom[low.x & 7];
+      if (x == high.x >> 3) marks &= kColumnsUpTo[high.x & 7];
+      find_or_make(x, y).near_marked |= marks;
+    }
+  }
 }
 
 }  // namespace voronaut

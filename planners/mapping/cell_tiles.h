@@ -11,6 +11,27 @@
 
 namespace voronaut {
 
+// Which of the 8 x 8 cells of a tile lie from or up to a row or column: bit 8 * row + column.
+namespace tile_masks {
+
+using Masks = std::array<std::uint64_t, 8>;
+
+template <class Mask>
+constexpr Masks each(Mask mask) {
+  return {mask(0), mask(1), mask(2), mask(3), mask(4), mask(5), mask(6), mask(7)};
+}
+
+inline constexpr std::uint64_t kAll = ~std::uint64_t{0};
+inline constexpr std::uint64_t kEachRow = 0x0101'0101'0101'0101;
+inline constexpr Masks kRowsFrom = each([](int row) { return kAll << (8 * row); });
+inline constexpr Masks kRowsUpTo = each([](int row) { return kAll >> (56 - 8 * row); });
+inline constexpr Masks kColumnsFrom =
+    each([](int column) { return ((0xffu << column) & 0xffu) * kEachRow; });
+inline constexpr Masks kColumnsUpTo =
+    each([](int column) { return (0xffu >> (7 - column)) * kEachRow; });
+
+}  // namespace tile_masks
+
 // A square cell of the plane. The coordinates are biased, so that they never are negative.
 struct Cell {
   std::uint32_t x = 0;
@@ -20,8 +41,8 @@ struct Cell {
 
 // An unbounded grid that stores one number per occupied cell (the first item of a chain that the
 // owner keeps) in tiles of 8 x 8 cells with a bit per cell: asking a box costs one hash look-up per
-// tile it overlaps, empty cells nothing. Memory: one tile of 272 bytes per 8 x 8 cells that ever
-// were occupied in part.
+// tile it overlaps, empty cells nothing. Memory: 256 bytes per 8 x 8 cells that ever
+// were occupied in part, and 64 to 128 for each of them that was marked.
 class CellTiles {
  public:
   static constexpr std::uint32_t kEmpty = 0xffff'ffff;
@@ -34,61 +55,56 @@ class CellTiles {
   // Monotone in both coordinates, which is all that boxes need. |x|, |y| < kLargestCellIndex cells.
   Cell cell_of(double x, double y) const { return {index_of(x), index_of(y)}; }
 
-  // The number stored for a cell, kEmpty if there is none.
-  std::uint32_t head(Cell cell) const {
-    const std::size_t tile = find(cell.x >> 3, cell.y >> 3);
-    return tile == kNoTile ? kEmpty : tiles_[tile].head[bit_of(cell)];
-  }
-  void set_head(Cell cell, std::uint32_t head);
+  // Makes `item` the number of its cell and returns the one it replaces, kEmpty if there was none.
+  std::uint32_t replace_head(Cell cell, std::uint32_t item);
 
   // Calls visit(head) for the occupied cells from `low` to `high` (both included) until it returns
   // true; returns whether it did. Row by row of tiles: the order depends on nothing but the cells.
   template <class Visit>
   bool any_of(Cell low, Cell high, const Visit& visit) const {
-    for (std::uint32_t y = low.y >> 3; y <= high.y >> 3; ++y) {
-      const std::uint64_t rows = rows_from(y == low.y >> 3 ? low.y & 7 : 0) &
-                                 rows_up_to(y == high.y >> 3 ? high.y & 7 : 7);
-      for (std::uint32_t x = low.x >> 3; x <= high.x >> 3; ++x) {
-        const std::size_t found = find(x, y);
-        if (found == kNoTile) continue;
-        const Tile& tile = tiles_[found];
-        std::uint64_t occupied = tile.occupied & rows &
-                                 columns_from(x == low.x >> 3 ? low.x & 7 : 0) &
-                                 columns_up_to(x == high.x >> 3 ? high.x & 7 : 7);
-        for (; occupied != 0; occupied &= occupied - 1) {
-          if (visit(tile.head[static_cast<std::size_t>(std::countr_zero(occupied))])) return true;
+    using namespace tile_masks;
+    const std::uint64_t first_columns = kColumnsFrom[low.x & 7];
+    const std::uint64_t last_columns = kColumnsUpTo[high.x & 7];
+    const std::uint32_t first_x = low.x >> 3;
+    const std::uint32_t last_x = high.x >> 3;
+    const std::uint32_t last_y = high.y >> 3;
+    std::uint64_t rows = kRowsFrom[low.y & 7];
+    for (std::uint32_t y = low.y >> 3; y <= last_y; ++y, rows = kAll) {
+      if (y == last_y) rows &= kRowsUpTo[high.y & 7];
+      std::uint64_t cells = rows & first_columns;
+      for (std::uint32_t x = first_x; x <= last_x; ++x, cells = rows) {
+        const Slot& slot = find(x, y);
+        if (x == last_x) cells &= last_columns;
+        for (cells &= slot.occupied; cells != 0; cells &= cells - 1) {
+          if (visit(heads_[slot.tile][static_cast<std::size_t>(std::countr_zero(cells))])) {
+            return true;
+          }
         }
       }
     }
     return false;
   }
 
+  // Marks a cell and all within kNearCells of it, in both directions.
+  static constexpr std::uint32_t kNearCells = 2;
+  void mark_near(Cell cell);
+  bool is_near_marked(Cell cell) const {
+    return (find(cell.x >> 3, cell.y >> 3).near_marked >> bit_of(cell) & 1) != 0;
+  }
+
  private:
-  static constexpr std::size_t kNoTile = ~std::size_t{0};
-  static constexpr std::uint64_t kEachRow = 0x0101'0101'0101'0101;
-
-  struct Tile {
-    std::uint64_t occupied = 0;  // bit 8 * (y mod 8) + (x mod 8)
-    std::array<std::uint32_t, 64> head;
-  };
+  static constexpr std::uint64_t kNoKey = ~std::uint64_t{0};  // no tile has this one
   struct Slot {
-    std::uint64_t key = ~std::uint64_t{0};  // no tile has this one
-    std::uint32_t tile = kEmpty;
+    std::uint64_t key = kNoKey;
+    std::uint64_t occupied = 0;  // bit 8 * (y mod 8) + (x mod 8)
+    std::uint64_t near_marked = 0;
+    std::uint64_t tile = 0;  // index into heads_
   };
 
-  static std::uint64_t rows_from(std::uint32_t row) { return ~std::uint64_t{0} << (8 * row); }
-  static std::uint64_t rows_up_to(std::uint32_t row) { return ~std::uint64_t{0} >> (56 - 8 * row); }
-  static std::uint64_t columns_from(std::uint32_t column) {
-    return ((0xffu << column) & 0xffu) * kEachRow;
-  }
-  static std::uint64_t columns_up_to(std::uint32_t column) {
-    return (0xffu >> (7 - column)) * kEachRow;
-  }
-  static std::size_t bit_of(Cell cell) { return 8 * (cell.y & 7) + (cell.x & 7); }
+  static std::uint32_t bit_of(Cell cell) { return 8 * (cell.y & 7) + (cell.x & 7); }
   static std::uint64_t key_of(std::uint32_t x, std::uint32_t y) {
     return std::uint64_t{x} << 32 | y;
   }
-
   std::uint32_t index_of(double coordinate_m) const {
     return static_cast<std::uint32_t>(
         static_cast<std::int64_t>(coordinate_m * cells_per_m_ + kLargestCellIndex));
@@ -96,22 +112,25 @@ class CellTiles {
   std::size_t first_slot(std::uint64_t key) const {
     return static_cast<std::size_t>((key * 0x9e37'79b9'7f4a'7c15) >> shift_);
   }
-  std::size_t find(std::uint32_t x, std::uint32_t y) const {
+  // The slot of a tile, or one without any cells.
+  const Slot& find(std::uint32_t x, std::uint32_t y) const {
     const std::uint64_t key = key_of(x, y);
-    std::size_t slot = first_slot(key);
-    while (slots_[slot].key != key) {
-      if (slots_[slot].tile == kEmpty) return kNoTile;
-      slot = (slot + 1) & (slots_.size() - 1);
-    }
-    return slots_[slot].tile;
+    const Slot* slot = slots_.data() + first_slot(key);
+    while (slot->key != key && slot->key != kNoKey) slot = next(slot);
+    return *slot;
   }
-  void insert_slot(Slot slot);
+  const Slot* next(const Slot* slot) const {
+    return slot + 1 == slots_.data() + slots_.size() ? slots_.data() : slot + 1;
+  }
+  Slot& find_or_make(std::uint32_t x, std::uint32_t y);
+  void insert(const Slot& slot);
 
   double cell_m_;
   double cells_per_m_;
   int shift_;
+  std::size_t tiles_ = 0;
   std::vector<Slot> slots_;  // a power of two, at most half full; open addressing
-  std::vector<Tile> tiles_;
+  std::vector<std::array<std::uint32_t, 64>> heads_;  // of each tile with occupied cells
 };
 
 }  // namespace voronaut

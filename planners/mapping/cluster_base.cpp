@@ -25,8 +25,8 @@ ClusterBase::ClusterBase(double merge_distance_m)
 ClusterId ClusterBase::create() {
   const auto id = static_cast<ClusterId>(clusters_.size());
   Cluster& cluster = clusters_.emplace_back();
-  cluster.merged_into = id;
   cluster.component = id;
+  merged_into_.push_back(id);
   ++living_;
   return id;
 }
@@ -51,7 +51,7 @@ void ClusterBase::append(ClusterId id, PointId point, std::span<const Vec2> poin
     cluster.box = {p, p};
   } else {
     next_member_[cluster.last] = point;
-    cluster.box = {cluster.box.min.cwiseMin(p), cluster.box.max.cwiseMax(p)};
+    grow_to_hold(cluster.box, p);
   }
   cluster.last = point;
   add_to_convex_hull(cluster.hull, p);
@@ -64,11 +64,12 @@ void ClusterBase::unite(ClusterId older, ClusterId younger) {
   Cluster& b = clusters_[younger];
   next_member_[a.last] = b.first;
   a.last = b.last;
-  a.box = {a.box.min.cwiseMin(b.box.min), a.box.max.cwiseMax(b.box.max)};
+  grow_to_hold(a.box, b.box.min);
+  grow_to_hold(a.box, b.box.max);
   a.hull.insert(a.hull.end(), b.hull.begin(), b.hull.end());
   reduce_to_convex_hull(a.hull);
   b.hull = {};
-  b.merged_into = older;
+  merged_into_[younger] = older;
   boxes_.place(older, a.box);
   boxes_.remove(younger);
   --living_;
@@ -93,7 +94,7 @@ std::size_t ClusterBase::merge_components(std::vector<Pair>& pairs) {
   std::sort(in_pairs_.begin(), in_pairs_.end());
   std::size_t merges = 0;
   for (const ClusterId id : in_pairs_) {
-    if (clusters_[id].merged_into != id) continue;  // listed twice
+    if (merged_into_[id] != id) continue;  // listed twice
     const ClusterId oldest = component_of(id);
     if (oldest == id) continue;
     unite(oldest, id);
@@ -112,7 +113,7 @@ bool ClusterBase::related(const Cluster& a, const Cluster& b, std::span<const Ve
   const double merge_sq = merge_distance_m_ * merge_distance_m_;
   for (const PointId i : {a.first, a.last}) {
     for (const PointId j : {b.first, b.last}) {
-      if ((points[i] - points[j]).squaredNorm() < merge_sq) return true;
+      if (distance_sq(points[i], points[j]) < merge_sq) return true;
     }
   }
   return false;
@@ -120,21 +121,21 @@ bool ClusterBase::related(const Cluster& a, const Cluster& b, std::span<const Ve
 
 void ClusterBase::collect_related(ClusterId id, std::span<const Vec2> points, MergeCounts& counts) {
   const Cluster& cluster = clusters_[id];
-  boxes_.for_each_near(grown(cluster.box, merge_distance_m_ * kRoundingMargin),
-                       [&](ClusterId other) {
-                         const Cluster& candidate = clusters_[other];
-                         // A pair of changed clusters is asked once, from its older one.
-                         if (other == id || (candidate.changed && other < id)) return;
-                         if (related(cluster, candidate, points, counts))
-                           related_.push_back({id, other});
-                       });
+  const Bounds reach = grown(cluster.box, merge_distance_m_ * kRoundingMargin);
+  boxes_.for_each_near(reach, [&](ClusterId other) {
+    const Cluster& candidate = clusters_[other];
+    if (!boxes_touch(reach, candidate.box)) return;
+    // A pair of changed clusters is asked once, from its older one.
+    if (other == id || (candidate.changed && other < id)) return;
+    if (related(cluster, candidate, points, counts)) related_.push_back({id, other});
+  });
 }
 
 ClusterBase::MergeCounts ClusterBase::merge_related(std::span<const Vec2> points) {
   MergeCounts counts;
   while (!changed_.empty()) {
     for (const ClusterId id : changed_) {
-      if (clusters_[id].merged_into == id) collect_related(id, points, counts);
+      if (merged_into_[id] == id) collect_related(id, points, counts);
     }
     for (const ClusterId id : changed_) clusters_[id].changed = false;
     changed_.clear();
@@ -147,7 +148,7 @@ std::vector<ClusterId> ClusterBase::living_ids() const {
   std::vector<ClusterId> ids;
   ids.reserve(living_);
   for (ClusterId id = 0; id < clusters_.size(); ++id) {
-    if (clusters_[id].merged_into == id) ids.push_back(id);
+    if (merged_into_[id] == id) ids.push_back(id);
   }
   return ids;
 }

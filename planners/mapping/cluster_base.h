@@ -44,7 +44,7 @@ class ClusterBase {
   std::vector<ClusterId> living_ids() const;
   // The living cluster that an id stands for. O(merges on its way, nearly always 0 or 1).
   ClusterId living_id(ClusterId id) const {
-    while (clusters_[id].merged_into != id) id = clusters_[id].merged_into;
+    while (merged_into_[id] != id) id = merged_into_[id];
     return id;
   }
   ClusterId cluster_of(PointId point) const { return living_id(label_[point]); }
@@ -59,8 +59,7 @@ class ClusterBase {
   static constexpr PointId kNone = 0xffff'ffff;
 
   struct Cluster {
-    ClusterId merged_into = 0;  // itself while it lives
-    ClusterId component = 0;    // itself except inside merge_components()
+    ClusterId component = 0;  // itself except inside merge_components()
     PointId first = kNone;
     PointId last = kNone;
     bool changed = false;
@@ -77,6 +76,7 @@ class ClusterBase {
 
   double merge_distance_m_;
   std::vector<Cluster> clusters_;
+  std::vector<ClusterId> merged_into_;  // of each cluster: itself while it lives
   std::size_t living_ = 0;
   BoxGrid boxes_;
   std::vector<ClusterId> label_;      // of each point: the cluster it was stored in

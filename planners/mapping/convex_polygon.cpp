@@ -47,54 +47,82 @@ void reduce_to_convex_hull(std::vector<Vec2>& points) {
   points = std::move(hull);
 }
 
+namespace {
+
+// A point, or two in order, or three collinear ones of which the middle one falls, or a triangle.
+bool add_to_small_hull(std::vector<Vec2>& hull, const Vec2& p) {
+  if (hull.size() == 2) {
+    const double turn = orientation(hull[0], hull[1], p);
+    if (turn == 0) {
+      if (lexicographically_less(p, hull[0])) {
+        hull[0] = p;
+        return true;
+      }
+      if (!lexicographically_less(hull[1], p)) return false;
+      hull[1] = p;
+      return true;
+    }
+    hull.insert(turn > 0 ? hull.end() : hull.begin() + 1, p);
+    std::rotate(hull.begin(), std::min_element(hull.begin(), hull.end(), lexicographically_less),
+                hull.end());
+    return true;
+  }
+  if (hull.size() == 1 && hull[0] == p) return false;
+  hull.push_back(p);
+  if (hull.size() == 2 && lexicographically_less(p, hull[0])) std::swap(hull[0], hull[1]);
+  return true;
+}
+
+}  // namespace
+
 // The edges that see p from outside, or that p prolongs, are next to each other: p replaces the
 // vertices between them.
 bool add_to_convex_hull(std::vector<Vec2>& hull, const Vec2& p) {
   const std::size_t n = hull.size();
-  if (n < 3) {
-    const std::vector<Vec2> before = hull;
-    hull.push_back(p);
-    reduce_to_convex_hull(hull);
-    return hull != before;
-  }
+  if (n < 3) return add_to_small_hull(hull, p);
+  // Edge i goes from vertex i - 1 to vertex i.
   const auto turn_at_edge = [&](std::size_t i) {
-    return orientation(hull[i], hull[i + 1 == n ? 0 : i + 1], p);
+    return orientation(hull[i == 0 ? n - 1 : i - 1], hull[i], p);
   };
-  std::size_t seen = 0;
-  while (seen < n && turn_at_edge(seen) >= 0) ++seen;
-  if (seen == n) return false;
-  std::size_t first = seen;  // first edge of the chain
-  while (turn_at_edge(first == 0 ? n - 1 : first - 1) <= 0) first = first == 0 ? n - 1 : first - 1;
-  std::size_t last = seen;
+  std::size_t first = 0;
+  while (first < n && turn_at_edge(first) >= 0) ++first;
+  if (first == n) return false;
+  std::size_t last = first;
   while (turn_at_edge(last + 1 == n ? 0 : last + 1) <= 0) last = last + 1 == n ? 0 : last + 1;
-  // Vertices first + 1 .. last fall, counted around the polygon.
-  const std::size_t begin = first + 1 == n ? 0 : first + 1;
-  const std::size_t falling = (last + n - first) % n;
-  if (begin + falling <= n) {
-    const auto at = hull.begin() + static_cast<std::ptrdiff_t>(begin);
-    if (falling == 0) {
-      hull.insert(at, p);
-    } else {
-      *at = p;
-      hull.erase(at + 1, at + static_cast<std::ptrdiff_t>(falling));
-    }
+  // An edge before the first one that sees p can belong to the chain if it is p's prolongation, or
+  // if the chain passes over vertex 0.
+  while (turn_at_edge(first == 0 ? n - 1 : first - 1) <= 0) first = first == 0 ? n - 1 : first - 1;
+  const auto at = [&hull](std::size_t i) { return hull.begin() + static_cast<std::ptrdiff_t>(i); };
+  // Vertices first .. last - 1 fall, counted around the polygon; p takes the place of the first.
+  if (first == last) {
+    hull.insert(at(first), p);
+  } else if (first < last) {
+    hull[first] = p;
+    hull.erase(at(first + 1), at(last));
   } else {
-    hull.resize(begin);
-    hull.erase(hull.begin(), hull.begin() + static_cast<std::ptrdiff_t>(begin + falling - n));
+    hull.resize(first);
     hull.push_back(p);
+    hull.erase(hull.begin(), at(last));
   }
-  const auto smallest = std::min_element(hull.begin(), hull.end(), lexicographically_less);
-  std::rotate(hull.begin(), smallest, hull.end());
+  // Only p or the loss of vertex 0 can have changed which vertex is the smallest.
+  if (first <= last && first != 0 && lexicographically_less(hull[0], p)) return true;
+  std::rotate(hull.begin(), std::min_element(hull.begin(), hull.end(), lexicographically_less),
+              hull.end());
   return true;
 }
 
 Bounds bounding_box(std::span<const Vec2> points) {
-  Bounds box{points.front(), points.front()};
+  double min_x = points.front().x();
+  double min_y = points.front().y();
+  double max_x = min_x;
+  double max_y = min_y;
   for (const Vec2& p : points) {
-    box.min = box.min.cwiseMin(p);
-    box.max = box.max.cwiseMax(p);
+    min_x = std::min(p.x(), min_x);
+    min_y = std::min(p.y(), min_y);
+    max_x = std::max(p.x(), max_x);
+    max_y = std::max(p.y(), max_y);
   }
-  return box;
+  return {{min_x, min_y}, {max_x, max_y}};
 }
 
 bool convex_polygons_touch(std::span<const Vec2> a, std::span<const Vec2> b) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <span>
 #include <vector>
 
@@ -15,6 +16,17 @@ void reduce_to_convex_hull(std::vector<Vec2>& points);
 
 // Adds one point to a hull of that form, in place. True if it became a vertex. O(n).
 bool add_to_convex_hull(std::vector<Vec2>& hull, const Vec2& p);
+
+inline double distance_sq(const Vec2& a, const Vec2& b) {
+  const double x = a.x() - b.x();
+  const double y = a.y() - b.y();
+  return x * x + y * y;
+}
+
+inline void grow_to_hold(Bounds& box, const Vec2& p) {
+  box.min = {std::min(box.min.x(), p.x()), std::min(box.min.y(), p.y())};
+  box.max = {std::max(box.max.x(), p.x()), std::max(box.max.y(), p.y())};
+}
 
 Bounds bounding_box(std::span<const Vec2> points);
 

@@ -7,10 +7,15 @@
 #include <string>
 #include <tuple>
 
+#include "voronaut/planners/mapping/convex_polygon.h"
+
 namespace voronaut {
 namespace {
 
 constexpr ClusterId kNoCluster = 0xffff'ffff;
+
+// Keeps the test for the nearest point on the safe side of rounding.
+constexpr double kRoundingMargin = 1 - 1e-9;
 
 void check(bool allowed, const char* name, double value, const char* bound) {
   if (allowed) return;
@@ -60,23 +65,38 @@ const UpdateReport& ObstacleBase::update(const Scan& scan) {
   return report_;
 }
 
-// Stage 2. Neighbouring returns mostly have the same representative, so that a scan costs one
-// look-up per stored point that it sees, whatever its number of rays.
+// Stage 2. Neighbouring returns mostly have the same representative, and the one that follows it is
+// mostly the one that followed it in an earlier scan: stored points are no closer to each other
+// than the thinning distance, so one within half of it is surely the nearest. Look-ups are left for
+// new ground, jumps in range, and views from elsewhere.
 void ObstacleBase::represent_returns() {
   const double thinning_m = config_.thinning_distance_m;
   const double thinning_sq = thinning_m * thinning_m;
-  representatives_.clear();
-  Vec2 current = Vec2::Constant(std::numeric_limits<double>::infinity());
+  const double surely_nearest_sq = thinning_sq / 4 * kRoundingMargin;
   const std::span<const Vec2> returns = returns_.points_world();
-  for (std::size_t i = 0; i < returns.size(); ++i) {
-    const Vec2 p = returns[i];
-    if ((p - current).squaredNorm() < thinning_sq) continue;
-    PointId point = points_.nearest_closer_than(p, thinning_m);
-    const bool unknown = point == PointIndex::kNone;
-    if (unknown) point = points_.add(p);
+  representatives_.resize(returns.size());
+  Representative* change = representatives_.data();
+  Vec2 current = Vec2::Constant(std::numeric_limits<double>::infinity());
+  std::size_t follower = 0;
+  for (std::uint32_t i = 0; i < returns.size(); ++i) {
+    const Vec2& p = returns[i];
+    if (distance_sq(p, current) < thinning_sq) continue;
+    PointId point = followed_by_[follower];
+    bool unknown = false;
+    if (point == PointIndex::kNone || !(distance_sq(p, points_[point]) < surely_nearest_sq)) {
+      point = points_.nearest_closer_than(p, thinning_m);
+      unknown = point == PointIndex::kNone;
+      if (unknown) {
+        point = points_.add(p);
+        followed_by_.push_back(PointIndex::kNone);
+      }
+      followed_by_[follower] = point;
+    }
     current = points_[point];
-    representatives_.push_back({static_cast<std::uint32_t>(i), point, unknown});
+    follower = std::size_t{point} + 1;
+    *change++ = {i, point, unknown};
   }
+  representatives_.resize(static_cast<std::size_t>(change - representatives_.data()));
 }
 
 // Stage 3: which clusters of the scan have stored points in common with known clusters, or with
@@ -88,15 +108,21 @@ void ObstacleBase::join_scan_clusters(PointId first_new) {
   known_cluster_.assign(count, kNoCluster);
   for (std::uint32_t i = 0; i < count; ++i) joined_to_[i] = i;
 
-  std::size_t next = 0;
+  const Representative* next = representatives_.data();
+  const Representative* const end = next + representatives_.size();
   for (const ScanClusterer::Run& run : clusterer_.runs()) {
     // A run may begin with the representative of the run before it.
-    if (next == representatives_.size() || representatives_[next].from_return != run.begin) {
-      const Representative shared{run.begin, representatives_[next - 1].point, false};
-      join(run.cluster, shared, first_new);
+    if (next == end || next->from_return != run.begin) {
+      join(run.cluster, {run.begin, next[-1].point, false}, first_new);
     }
-    for (; next < representatives_.size() && representatives_[next].from_return < run.end; ++next) {
-      join(run.cluster, representatives_[next], first_new);
+    ClusterId same = kNoCluster;  // as of the representative before
+    for (; next != end && next->from_return < run.end; ++next) {
+      if (next->point < first_new) {
+        const ClusterId known = clusters_.cluster_of(next->point);
+        if (known == same) continue;
+        same = known;
+      }
+      join(run.cluster, *next, first_new);
     }
   }
 }

@@ -101,6 +101,9 @@ class ObstacleBase {
   PointIndex points_;
   ClusterBase clusters_;
   std::vector<std::uint32_t> points_at_version_{0};
+  // Which point represented the next returns when last a point was left behind: entry 0 for the
+  // beginning of a scan, then one for each stored point.
+  std::vector<PointId> followed_by_{PointIndex::kNone};
 
   // Scratch of one update, kept so that a scan without news allocates nothing.
   std::vector<Representative> representatives_;

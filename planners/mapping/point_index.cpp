@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "voronaut/planners/mapping/convex_polygon.h"
 #include "voronaut/planners/mapping/require.h"
 
 namespace voronaut {
@@ -11,7 +12,8 @@ namespace {
 
 // Large enough that a disc of a vehicle's clearance overlaps few tiles of 8 x 8 cells, small enough
 // that a cell on a wall holds few points.
-constexpr double kSmallestCellM = 0.5;
+constexpr double kSmallestCellM = 0.21;
+constexpr double kSpacingsPerCell = 2;
 
 // Boxes are grown by this share more than asked, so that rounding cannot lose a point on the rim.
 constexpr double kRoundingMargin = 1 + 1e-9;
@@ -53,20 +55,21 @@ class SegmentDistance {
 }  // namespace
 
 PointIndex::PointIndex(double spacing_m)
-    : cells_(std::max(kSmallestCellM, 2 * spacing_m)),
+    : cells_(std::max(kSmallestCellM, kSpacingsPerCell * spacing_m)),
+      marked_reach_m_(CellTiles::kNearCells * cells_.cell_m() / kRoundingMargin),
       bounds_{Vec2::Constant(std::numeric_limits<double>::infinity()),
               Vec2::Constant(-std::numeric_limits<double>::infinity())} {}
 
 PointId PointIndex::add(const Vec2& p) {
-  require(std::abs(p.x()) <= kLargestCoordinateM && std::abs(p.y()) <= kLargestCoordinateM,
-          "PointIndex::add: coordinate is not a number within 1e7 m");
+  require(std::abs(p.x()) + std::abs(p.y()) < kLargestCoordinateM / 2,
+          "PointIndex::add: coordinates are not numbers within 1e7 m");
   const auto id = static_cast<PointId>(points_.size());
   const Cell cell = cells_.cell_of(p.x(), p.y());
+  const PointId next = cells_.replace_head(cell, id);
+  if (next == kNone) cells_.mark_near(cell);
   points_.push_back(p);
-  next_in_cell_.push_back(cells_.head(cell));
-  cells_.set_head(cell, id);
-  bounds_.min = bounds_.min.cwiseMin(p);
-  bounds_.max = bounds_.max.cwiseMax(p);
+  next_in_cell_.push_back(next);
+  grow_to_hold(bounds_, p);
   return id;
 }
 
@@ -100,7 +103,7 @@ bool PointIndex::any_point(const Reach& within, const Visit& visit) const {
 PointId PointIndex::nearest_in(const Reach& within, const Vec2& p, double limit_sq) const {
   PointId nearest = kNone;
   any_point(within, [&](PointId id) {
-    const double distance_sq = (points_[id] - p).squaredNorm();
+    const double distance_sq = voronaut::distance_sq(points_[id], p);
     if (distance_sq < limit_sq || (distance_sq == limit_sq && nearest != kNone && id < nearest)) {
       nearest = id;
       limit_sq = distance_sq;
@@ -126,9 +129,14 @@ PointId PointIndex::nearest(const Vec2& p, double within_m) const {
 }
 
 bool PointIndex::any_closer_than(const Vec2& p, double distance_m) const {
+  // Most of the plane is told by one bit.
+  if (distance_m <= marked_reach_m_ && !(std::abs(p.x()) + std::abs(p.y()) < kLargestCoordinateM &&
+                                         cells_.is_near_marked(cells_.cell_of(p.x(), p.y())))) {
+    return false;
+  }
   const double distance_sq = distance_m * distance_m;
   return any_point(reach(p, p, distance_m),
-                   [&](PointId id) { return (points_[id] - p).squaredNorm() < distance_sq; });
+                   [&](PointId id) { return voronaut::distance_sq(points_[id], p) < distance_sq; });
 }
 
 bool PointIndex::any_closer_than(const Vec2& a, const Vec2& b, double distance_m) const {

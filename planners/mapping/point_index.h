@@ -16,12 +16,12 @@ namespace voronaut {
 class PointIndex {
  public:
   static constexpr PointId kNone = 0xffff'ffff;
-  static constexpr double kLargestCoordinateM = 1e7;
+  static constexpr double kLargestCoordinateM = 2e7;
 
   // spacing_m: how close the points typically lie to each other.
   explicit PointIndex(double spacing_m);
 
-  // A coordinate beyond kLargestCoordinateM or NaN is a programmer error.
+  // Coordinates that are NaN or add up to more than 1e7 m are a programmer error.
   PointId add(const Vec2& p);
 
   std::span<const Vec2> points() const { return points_; }
@@ -56,9 +56,11 @@ class PointIndex {
   bool any_point(const Reach& within, const Visit& visit) const;
 
   CellTiles cells_;
+  // Up to this distance a place whose cell is not marked near has no point.
+  double marked_reach_m_;
+  Bounds bounds_;  // of all points
   std::vector<Vec2> points_;
   std::vector<PointId> next_in_cell_;
-  Bounds bounds_;  // of all points
 };
 
 }  // namespace voronaut

@@ -1,7 +1,7 @@
 #pragma once
 
 #include <cstdint>
-#include <vector>
+#include <span>
 
 #include "voronaut/environments/geometry.h"
 
@@ -15,7 +15,7 @@ using ClusterId = std::uint32_t;
 // than the thinning distance to the one listed before it in the scan is left out. Where the fan is
 // a full circle there is no rightmost beam: a cluster then begins behind its widest gap in bearing.
 struct ScanCluster {
-  std::vector<Vec2> points_world;
+  std::span<const Vec2> points_world;  // valid until the next scan
   // Begins at the right edge of the field of view (at the first beam that measured): its true
   // extreme is unseen. Never in a full circle.
   bool cut_right = false;

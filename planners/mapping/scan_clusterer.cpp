@@ -3,11 +3,12 @@
 #include <algorithm>
 #include <limits>
 
+#include "voronaut/planners/mapping/convex_polygon.h"
+
 namespace voronaut {
 namespace {
 
-// Square of the distance between two boxes.
-double distance_sq(const Bounds& a, const Bounds& b) {
+double box_distance_sq(const Bounds& a, const Bounds& b) {
   const double x = std::max({a.min.x() - b.max.x(), b.min.x() - a.max.x(), 0.0});
   const double y = std::max({a.min.y() - b.max.y(), b.min.y() - a.max.y(), 0.0});
   return x * x + y * y;
@@ -22,7 +23,6 @@ void ScanClusterer::cluster(const ScanReturns& returns) {
   split_into_runs(returns);
   link_runs(returns.points_world());
   list_clusters(returns);
-  if (returns.full_circle()) begin_behind_widest_gap(returns);
 }
 
 // A return is listed if it begins a run or is not closer than the thinning distance to the one
@@ -35,31 +35,35 @@ void ScanClusterer::split_into_runs(const ScanReturns& returns) {
   const bool thinned_is_linked = 2 * thinning_distance_m_ < link_distance_m_;
   runs_.clear();
   listed_.clear();
-  Vec2 last_listed = Vec2::Zero();
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    const Vec2 p = points[i];
-    const auto index = static_cast<std::uint32_t>(i);
-    const bool thinned = i > 0 && (p - last_listed).squaredNorm() < thinning_sq;
+  const auto count = static_cast<std::uint32_t>(points.size());
+  if (count > listed_.size()) {
+    listed_.resize(count);
+    listed_world_.resize(count);
+    gathered_world_.resize(count);
+  }
+  std::uint32_t listed = 0;
+  Vec2 last_listed = Vec2::Constant(std::numeric_limits<double>::infinity());
+  for (std::uint32_t i = 0; i < count; ++i) {
+    const Vec2& p = points[i];
+    const bool thinned = distance_sq(p, last_listed) < thinning_sq;
     if (thinned && thinned_is_linked) continue;
-    const bool linked = i > 0 && (p - points[i - 1]).squaredNorm() < link_sq;
+    const bool linked = i > 0 && distance_sq(p, points[i - 1]) < link_sq;
     if (linked && thinned) continue;
-    const auto listed = static_cast<std::uint32_t>(listed_.size());
-    listed_.push_back(index);
+    if (!linked) {
+      if (!runs_.empty()) {
+        runs_.back().end = i;
+        runs_.back().listed_end = listed;
+      }
+      runs_.push_back({i, 0, listed, 0, 0, {}});
+    }
+    listed_[listed] = i;
+    listed_world_[listed] = p;
+    ++listed;
     last_listed = p;
-    if (linked) {
-      Bounds& box = runs_.back().box;
-      box = {box.min.cwiseMin(p), box.max.cwiseMax(p)};
-      continue;
-    }
-    if (!runs_.empty()) {
-      runs_.back().end = index;
-      runs_.back().listed_end = listed;
-    }
-    runs_.push_back({index, 0, listed, 0, 0, {p, p}});
   }
   if (runs_.empty()) return;
-  runs_.back().end = static_cast<std::uint32_t>(points.size());
-  runs_.back().listed_end = static_cast<std::uint32_t>(listed_.size());
+  runs_.back().end = count;
+  runs_.back().listed_end = listed;
 }
 
 // Listed returns decide nearly always: every return is closer than the thinning distance to a
@@ -68,13 +72,12 @@ bool ScanClusterer::runs_linked(const Run& a, const Run& b, std::span<const Vec2
   const double link_sq = link_distance_m_ * link_distance_m_;
   const double reach_m = link_distance_m_ + 2 * thinning_distance_m_;
   const double reach_sq = reach_m * reach_m;
-  if (distance_sq(a.box, b.box) > reach_sq) return false;
+  if (box_distance_sq(a.box, b.box) > reach_sq) return false;
   bool undecided = false;
-  for (std::uint32_t i = a.listed_begin; i < a.listed_end; ++i) {
-    const Vec2 p = points[listed_[i]];
-    if (distance_sq({p, p}, b.box) > reach_sq) continue;
-    for (std::uint32_t j = b.listed_begin; j < b.listed_end; ++j) {
-      const double apart_sq = (p - points[listed_[j]]).squaredNorm();
+  for (const Vec2& p : listed_world(a)) {
+    if (box_distance_sq({p, p}, b.box) > reach_sq) continue;
+    for (const Vec2& q : listed_world(b)) {
+      const double apart_sq = distance_sq(p, q);
       if (apart_sq < link_sq) return true;
       undecided = undecided || apart_sq <= reach_sq;
     }
@@ -82,10 +85,10 @@ bool ScanClusterer::runs_linked(const Run& a, const Run& b, std::span<const Vec2
   if (!undecided) return false;
   const double near_box_m = link_distance_m_ + thinning_distance_m_;
   for (std::uint32_t i = a.begin; i < a.end; ++i) {
-    const Vec2 p = points[i];
-    if (distance_sq({p, p}, b.box) > near_box_m * near_box_m) continue;
+    const Vec2& p = points[i];
+    if (box_distance_sq({p, p}, b.box) > near_box_m * near_box_m) continue;
     for (std::uint32_t j = b.begin; j < b.end; ++j) {
-      if ((p - points[j]).squaredNorm() < link_sq) return true;
+      if (distance_sq(p, points[j]) < link_sq) return true;
     }
   }
   return false;
@@ -100,6 +103,7 @@ void ScanClusterer::link_runs(std::span<const Vec2> points) {
   };
   for (std::uint32_t j = 0; j < count; ++j) {
     runs_[j].cluster = j;
+    if (count > 1) runs_[j].box = bounding_box(listed_world(runs_[j]));
     for (std::uint32_t i = 0; i < j; ++i) {
       const std::uint32_t a = root(i);
       const std::uint32_t b = root(j);
@@ -112,66 +116,69 @@ void ScanClusterer::link_runs(std::span<const Vec2> points) {
     // A root is the first run of its cluster, so it has its number when the others ask for it.
     runs_[i].cluster = runs_[i].cluster == i ? clusters++ : runs_[runs_[i].cluster].cluster;
   }
-  cluster_count_ = clusters;
+  clusters_.resize(clusters);
+  first_return_.resize(clusters);
 }
 
 void ScanClusterer::list_clusters(const ScanReturns& returns) {
-  const std::span<const Vec2> points = returns.points_world();
-  if (cluster_count_ > clusters_.size()) {
-    clusters_.resize(cluster_count_);
-    first_return_.resize(cluster_count_);
-  }
-  for (ScanCluster& cluster : clusters()) cluster.points_world.clear();
-  for (const Run& run : runs_) {
+  const std::span<const std::uint32_t> beams = returns.beams();
+  const bool edges = !returns.full_circle();
+  std::uint32_t clusters = 0;  // begun so far
+  for (std::uint32_t i = 0; i < runs_.size(); ++i) {
+    const Run& run = runs_[i];
     ScanCluster& cluster = clusters_[run.cluster];
-    if (cluster.points_world.empty()) {
+    if (run.cluster == clusters) {
+      ++clusters;
       first_return_[run.cluster] = run.begin;
-      cluster.cut_right =
-          !returns.full_circle() && returns.beams()[run.begin] == returns.first_measured();
+      cluster.points_world = listed_world(run);
+      cluster.cut_right = edges && beams[run.begin] == returns.first_measured();
     }
-    cluster.cut_left =
-        !returns.full_circle() && returns.beams()[run.end - 1] == returns.last_measured();
-    for (std::uint32_t i = run.listed_begin; i < run.listed_end; ++i) {
-      cluster.points_world.push_back(points[listed_[i]]);
-    }
+    cluster.cut_left = edges && beams[run.end - 1] == returns.last_measured();
   }
+  if (edges && runs_.size() == clusters_.size()) return;
+  std::size_t gathered = 0;
+  for (std::uint32_t c = 0; c < clusters_.size(); ++c) gathered = gather(c, gathered, returns);
 }
 
-void ScanClusterer::begin_behind_widest_gap(const ScanReturns& returns) {
-  const std::span<const std::uint32_t> beams = returns.beams();
-  for (std::uint32_t c = 0; c < cluster_count_; ++c) {
-    std::uint32_t widest = 0;
-    std::uint32_t begin = 0;
-    std::uint32_t listed_before = 0;
-    std::uint32_t listed = 0;
-    bool first = true;
-    std::uint32_t previous = 0;
-    for (const Run& run : runs_) {
-      if (run.cluster != c) continue;
-      std::uint32_t next_listed = run.listed_begin;
-      for (std::uint32_t i = run.begin; i < run.end; ++i) {
-        const std::uint32_t gap = first ? 0 : beams[i] - previous;
-        if (gap > widest) {
-          widest = gap;
-          begin = i;
-          listed_before = listed;
-        }
-        if (next_listed < run.listed_end && listed_[next_listed] == i) {
-          ++next_listed;
-          ++listed;
-        }
-        first = false;
-        previous = beams[i];
-      }
+// Lists the runs of a cluster one after the other, from its first return on and around.
+std::size_t ScanClusterer::gather(std::uint32_t cluster, std::size_t begin,
+                                  const ScanReturns& returns) {
+  if (returns.full_circle()) first_return_[cluster] = behind_widest_gap(cluster, returns);
+  std::size_t end = begin;
+  std::size_t before_first = begin;
+  for (const Run& run : runs_) {
+    if (run.cluster != cluster) continue;
+    for (std::uint32_t i = run.listed_begin; i < run.listed_end; ++i) {
+      if (listed_[i] < first_return_[cluster]) ++before_first;
+      gathered_world_[end++] = listed_world_[i];
     }
-    const auto seam =
-        static_cast<std::uint32_t>(beams[first_return_[c]] + returns.beams_in_scan() - previous);
-    if (widest <= seam) continue;
-    first_return_[c] = begin;
-    std::vector<Vec2>& world = clusters_[c].points_world;
-    std::rotate(world.begin(), world.begin() + static_cast<std::ptrdiff_t>(listed_before),
-                world.end());
   }
+  Vec2* const world = gathered_world_.data();
+  std::rotate(world + begin, world + before_first, world + end);
+  clusters_[cluster].points_world = {world + begin, end - begin};
+  return end;
+}
+
+// The gap between the last and the first return counts as well, and is taken among equals.
+std::uint32_t ScanClusterer::behind_widest_gap(std::uint32_t cluster,
+                                               const ScanReturns& returns) const {
+  const std::span<const std::uint32_t> beams = returns.beams();
+  const std::uint32_t first = first_return_[cluster];
+  std::uint32_t begin = first;
+  std::uint32_t widest = 0;
+  std::uint32_t previous = beams[first];
+  for (const Run& run : runs_) {
+    if (run.cluster != cluster) continue;
+    for (std::uint32_t i = run.begin; i < run.end; ++i) {
+      const std::uint32_t gap = beams[i] - previous;
+      previous = beams[i];
+      if (gap <= widest) continue;
+      widest = gap;
+      begin = i;
+    }
+  }
+  const std::size_t around = beams[first] + returns.beams_in_scan() - previous;
+  return widest > around ? begin : first;
 }
 
 }  // namespace voronaut

@@ -22,35 +22,40 @@ class ScanClusterer {
     std::uint32_t listed_begin = 0;
     std::uint32_t listed_end = 0;
     std::uint32_t cluster = 0;  // index into clusters()
-    Bounds box;                 // of the listed returns
+    Bounds box;                 // of the listed returns; set if there are other runs
   };
 
   ScanClusterer(double link_distance_m, double thinning_distance_m);
 
   void cluster(const ScanReturns& returns);
 
-  std::span<const Run> runs() const { return {runs_.data(), runs_.size()}; }
+  std::span<const Run> runs() const { return runs_; }
   // In the order of their first beams. Valid, like the rest, until the next scan.
-  std::span<ScanCluster> clusters() { return {clusters_.data(), cluster_count_}; }
-  std::span<const ScanCluster> clusters() const { return {clusters_.data(), cluster_count_}; }
+  std::span<ScanCluster> clusters() { return clusters_; }
+  std::span<const ScanCluster> clusters() const { return clusters_; }
   // The return with which a cluster begins: its rightmost, in a full circle the one behind its
   // widest gap in bearing.
   std::uint32_t first_return(std::size_t cluster) const { return first_return_[cluster]; }
 
  private:
   void split_into_runs(const ScanReturns& returns);
+  std::span<const Vec2> listed_world(const Run& run) const {
+    return {listed_world_.data() + run.listed_begin, run.listed_end - run.listed_begin};
+  }
   void link_runs(std::span<const Vec2> points);
   bool runs_linked(const Run& a, const Run& b, std::span<const Vec2> points) const;
   void list_clusters(const ScanReturns& returns);
-  void begin_behind_widest_gap(const ScanReturns& returns);
+  std::size_t gather(std::uint32_t cluster, std::size_t begin, const ScanReturns& returns);
+  std::uint32_t behind_widest_gap(std::uint32_t cluster, const ScanReturns& returns) const;
 
   double link_distance_m_;
   double thinning_distance_m_;
   std::vector<Run> runs_;
   std::vector<std::uint32_t> listed_;  // returns that clusters list
-  std::vector<ScanCluster> clusters_;  // the first cluster_count_ are of this scan
+  std::vector<Vec2> listed_world_;
+  std::vector<Vec2> gathered_world_;  // of clusters that are not one run
+  std::vector<ScanCluster> clusters_;
   std::vector<std::uint32_t> first_return_;
-  std::size_t cluster_count_ = 0;
 };
 
 }  // namespace voronaut

@@ -39,15 +39,15 @@ void ScanReturns::read(const Scan& scan) {
   std::size_t invalid = 0;
   const auto take = [&](std::size_t i) {
     const double range = range_m[i];
-    if (range == max_range_m) return;
-    if (!(range > 0 && range < max_range_m)) {
+    if (range < max_range_m && range > 0) {
+      const double x = direction[i].x();
+      const double y = direction[i].y();
+      *point++ = {origin.x() + range * (heading.x() * x - heading.y() * y),
+                  origin.y() + range * (heading.y() * x + heading.x() * y)};
+      *beam++ = static_cast<std::uint32_t>(i);
+    } else if (range != max_range_m) {
       ++invalid;
-      return;
     }
-    const Vec2& d = direction[i];
-    *point++ = {origin.x() + range * (heading.x() * d.x() - heading.y() * d.y()),
-                origin.y() + range * (heading.y() * d.x() + heading.x() * d.y())};
-    *beam++ = static_cast<std::uint32_t>(i);
   };
   std::size_t i = 0;
   for (; i + kBlock <= n; i += kBlock) {

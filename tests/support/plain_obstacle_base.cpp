@@ -88,6 +88,7 @@ bool PlainObstacleBase::merge_round() {
 const UpdateReport& PlainObstacleBase::update(const Scan& scan) {
   report_ = {};
   scan_clusters_.clear();
+  listed_world_.clear();
   const double thinning_sq = config_.thinning_distance_m * config_.thinning_distance_m;
   const double link_sq = config_.link_distance_m * config_.link_distance_m;
 
@@ -154,8 +155,9 @@ const UpdateReport& PlainObstacleBase::update(const Scan& scan) {
     ScanCluster& cluster = scan_clusters_.emplace_back();
     cluster.cut_right = !full_circle && beam[group.front()] == first_measured;
     cluster.cut_left = !full_circle && beam[group.back()] == last_measured;
+    std::vector<Vec2>& listed_world = listed_world_.emplace_back();
     for (const std::size_t i : group) {
-      if (listed[i]) cluster.points_world.push_back(returned[i]);
+      if (listed[i]) listed_world.push_back(returned[i]);
     }
   }
   report_.clusters_in_scan = groups.size();
@@ -206,6 +208,7 @@ const UpdateReport& PlainObstacleBase::update(const Scan& scan) {
   }
   for (std::size_t i = 0; i < groups.size(); ++i) {
     scan_clusters_[i].cluster = label_[representative[groups[i].front()]];
+    scan_clusters_[i].points_world = listed_world_[i];
   }
   return report_;
 }

@@ -34,6 +34,7 @@ class PlainObstacleBase {
   ObstacleBaseConfig config_;
   UpdateReport report_;
   std::vector<ScanCluster> scan_clusters_;
+  std::vector<std::vector<Vec2>> listed_world_;
   std::vector<Vec2> points_;
   std::vector<ClusterId> label_;  // of each point
   std::vector<Cluster> clusters_;
