@@ -2,7 +2,7 @@
 
 #include <type_traits>
 
-#include "voronaut/reports/number_text.h"
+#include "voronaut/reports/column_text.h"
 
 namespace voronaut {
 
@@ -35,7 +35,7 @@ std::string records_to_csv(const std::vector<RunRecord>& records) {
       } else if constexpr (std::is_same_v<Value, std::int64_t>) {
         put(std::to_string(value), first);
       } else if constexpr (std::is_same_v<Value, double>) {
-        put(number_text(value), first);
+        put(column_text(value), first);
       } else {
         put(csv_field(value), first);
       }

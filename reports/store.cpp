@@ -2,7 +2,7 @@
 
 #include <type_traits>
 
-#include "voronaut/reports/number_text.h"
+#include "voronaut/reports/column_text.h"
 #include "voronaut/reports/trace_json.h"
 
 namespace voronaut {
@@ -91,7 +91,7 @@ std::vector<std::string> deterministic_texts(const RunRecord& record,
     } else if constexpr (std::is_same_v<Value, std::int64_t>) {
       texts.push_back(std::to_string(value));
     } else if constexpr (std::is_same_v<Value, double>) {
-      texts.push_back(number_text(value == 0.0 ? 0.0 : value));
+      texts.push_back(column_text(value == 0.0 ? 0.0 : value));
     } else {
       texts.push_back(value);
     }

@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "synthetic_run.h"
-#include "voronaut/reports/number_text.h"
+#include "voronaut/reports/column_text.h"
 
 namespace voronaut {
 namespace {
@@ -20,11 +20,11 @@ TEST(CsvField, QuotesOnlyWhatNeedsIt) {
 }
 
 TEST(NumberText, IsTheShortestThatReadsBack) {
-  EXPECT_EQ(number_text(0.1), "0.1");
-  EXPECT_EQ(number_text(0.1 + 0.2), "0.30000000000000004");
-  EXPECT_EQ(number_text(3.0), "3");
-  EXPECT_EQ(number_text(-2.5e-9), "-2.5e-09");
-  EXPECT_EQ(number_text(kAbsent), "");
+  EXPECT_EQ(column_text(0.1), "0.1");
+  EXPECT_EQ(column_text(0.1 + 0.2), "0.30000000000000004");
+  EXPECT_EQ(column_text(3.0), "3");
+  EXPECT_EQ(column_text(-2.5e-9), "-2.5e-09");
+  EXPECT_EQ(column_text(kAbsent), "");
 }
 
 TEST(Csv, MatchesTheGoldenFile) {

@@ -5,6 +5,6 @@
 namespace voronaut {
 
 // The shortest decimal text that reads back as the same double; empty for NaN, "inf" and "-inf".
-std::string number_text(double value);
+std::string column_text(double value);
 
 }  // namespace voronaut

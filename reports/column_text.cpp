@@ -1,4 +1,4 @@
-#include "voronaut/reports/number_text.h"
+#include "voronaut/reports/column_text.h"
 
 #include <array>
 #include <charconv>
@@ -6,7 +6,7 @@
 
 namespace voronaut {
 
-std::string number_text(double value) {
+std::string column_text(double value) {
   if (std::isnan(value)) {
     return {};
   }
