@@ -8,6 +8,9 @@ namespace {
 
 constexpr std::size_t kMaxNodes = 200'000;
 constexpr double kTie_m = 1e-9;
+// Cones are wider than they are by this: a corner exactly on the border of two cones (walls on a
+// grid have many) belongs to both, or rounding would give it to neither.
+constexpr double kSlack_m = 1e-9;
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 // Where the ray from `root` through `through` meets the gate, as a fraction from its left to its
@@ -108,13 +111,15 @@ void ChannelSearch::cross(std::int32_t index, HalfEdgeId exit) {
   const double l1 = voronaut::cross(left_ray, g.right - node.root);
   const double r0 = voronaut::cross(right_ray, g.left - node.root);
   const double r1 = voronaut::cross(right_ray, g.right - node.root);
-  const double from = l0 <= 0 ? 0 : l1 >= 0 ? 1 : fraction(l0, l1);
-  const double to = r1 >= 0 ? 1 : r0 <= 0 ? 0 : fraction(r0, r1);
+  const double l_slack = kSlack_m * left_ray.lpNorm<1>();
+  const double r_slack = kSlack_m * right_ray.lpNorm<1>();
+  const double from = l0 <= l_slack ? 0 : l1 >= 0 ? 1 : fraction(l0, l1);
+  const double to = r1 >= -r_slack ? 1 : r0 <= 0 ? 0 : fraction(r0, r1);
   const auto at = [&](double t) -> Vec2 {
     return t <= 0 ? g.left : t >= 1 ? g.right : Vec2(g.left + t * (g.right - g.left));
   };
-  const bool beside_left = l0 > 0, all_left = beside_left && l1 >= 0;
-  const bool beside_right = r1 < 0, all_right = beside_right && r0 <= 0;
+  const bool beside_left = l0 > l_slack, all_left = beside_left && l1 > l_slack;
+  const bool beside_right = r1 < -r_slack, all_right = beside_right && r0 < -r_slack;
   if (!all_left && !all_right && from <= to) {
     Node child = node;
     child.gate = exit;
@@ -168,9 +173,10 @@ void ChannelSearch::finish(std::int32_t index) {
   last.parent = index;
   last.bend = Bend::none;
   const Vec2 to_goal = goal_ - node.root;
-  if (voronaut::cross(node.left - node.root, to_goal) > 0) {
+  const Vec2 left_ray = node.left - node.root, right_ray = node.right - node.root;
+  if (voronaut::cross(left_ray, to_goal) > kSlack_m * left_ray.lpNorm<1>()) {
     if (!node.left_corner || !turn(last, index, Bend::left)) return;
-  } else if (voronaut::cross(node.right - node.root, to_goal) < 0) {
+  } else if (voronaut::cross(right_ray, to_goal) < -kSlack_m * right_ray.lpNorm<1>()) {
     if (!node.right_corner || !turn(last, index, Bend::right)) return;
   }
   last.cost_m += (goal_ - last.root).norm();
