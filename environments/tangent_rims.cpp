@@ -75,23 +75,6 @@ Bounds grown(const Bounds& area, double by_m) {
 
 }  // namespace
 
-double quarter_turns(const Vec2& v) {
-  const double share = v.y() / (std::abs(v.x()) + std::abs(v.y()));
-  if (v.x() < 0) return 2 - share;
-  return share < 0 ? 4 + share : share;
-}
-
-Vec2 direction_at(double quarters) {
-  const double q = quarters - 4 * std::floor(quarters / 4);
-  if (q < 2) return Vec2(1 - q, q < 1 ? q : 2 - q).normalized();
-  return Vec2(q - 3, q < 3 ? 2 - q : q - 4).normalized();
-}
-
-double quarters_ahead(double from, double to) {
-  const double ahead = to - from;
-  return ahead < 0 ? std::max(ahead + 4, 0.0) : ahead;
-}
-
 double FreeArc::position(double quarters) const {
   const double ahead = quarters_ahead(from_quarters, quarters);
   if (whole() || ahead <= span_quarters) return ahead;

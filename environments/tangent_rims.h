@@ -4,23 +4,11 @@
 #include <span>
 #include <vector>
 
+#include "voronaut/environments/common_tangent.h"
 #include "voronaut/environments/world.h"
 
 // The rims of obstacles grown by the radius of a vehicle: what its shortest paths wind around.
 namespace voronaut {
-
-// Directions in counter-clockwise order, one per quarter turn, in [0, 4): no trigonometry. The
-// direction (1, 0) is 0, (0, 1) is 1.
-double quarter_turns(const Vec2& direction);
-// The unit vector back from it; any real number, modulo 4.
-Vec2 direction_at(double quarters);
-// How far counter-clockwise from one to the other, in [0, 4).
-double quarters_ahead(double from, double to);
-
-struct Disc {
-  Vec2 center;
-  double radius_m = 0;
-};
 
 // A part of a disc's rim on which the centre of the vehicle may be.
 struct FreeArc {
