@@ -21,7 +21,8 @@ std::string fixed(double value, int decimals) {
   return buffer.data();
 }
 
-std::string percent(double value) { return fixed(100.0 * value, 0); }
+// Halves away from zero, as the report's JavaScript does: 25 of 40 is 63 % in both.
+std::string percent(double value) { return fixed(std::round(100.0 * value), 0); }
 
 std::string rate_text(const Rate& rate) {
   if (rate.n == 0) {

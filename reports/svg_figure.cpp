@@ -40,7 +40,7 @@ std::string_view sign_of(Outcome outcome) {
     case Outcome::timeout:
       return "T";
     case Outcome::stuck:
-      return "\xe2\x96\xa0";
+      return "S";
     case Outcome::infeasible:
       return "\xe2\x88\x85";
     case Outcome::invalid:

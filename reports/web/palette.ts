@@ -50,7 +50,7 @@ const kOutcomes: Record<string, [sign: string, words: string]> = {
   collision: ["\u2715", "collision"],
   out_of_bounds: ["\u2197", "out of bounds"],
   timeout: ["T", "timeout"],
-  stuck: ["\u25A0", "stuck"],
+  stuck: ["S", "stuck"],
   infeasible: ["\u2205", "infeasible"],
   invalid: ["?", "invalid"],
   killed: ["K", "killed"],

@@ -73,7 +73,9 @@ TEST(SvgFigure, LeavesAPicture) {
   write_file_atomically(folder / "figure.svg",
                         svg_figure({panel_of("first", 3), panel_of("second", 5),
                                     panel_of("third", 8), panel_of("fourth", 12)}));
-  browser::screenshot(folder / "figure.svg", "", folder / "figure.png", 1180, 920, false, 1000);
+  browser::Session session;
+  session.open(folder / "figure.svg", "", {1180, 920, false});
+  session.screenshot(folder / "figure.png");
   EXPECT_GT(std::filesystem::file_size(folder / "figure.png"), 20'000U);
 }
 
