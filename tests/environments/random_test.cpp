@@ -65,6 +65,14 @@ TEST(Random, PicksEveryIndexEquallyOften) {
   EXPECT_EQ(random.below(1), 0U);
 }
 
+TEST(Random, PicksWithoutBiasWhenTheBoundDoesNotDivideTheRange) {
+  constexpr std::uint64_t kThird = std::uint64_t{1} << 62;
+  Random random(13);
+  int low = 0;
+  for (int i = 0; i < 30'000; ++i) low += random.below(3 * kThird) < kThird ? 1 : 0;
+  EXPECT_NEAR(low, 10'000, 300);  // 15'000 if the last, incomplete interval were taken too
+}
+
 // Golden values from an independent implementation of the stated hash.
 TEST(DerivedSeed, IsTheStatedHash) {
   EXPECT_EQ(derive_seed(1, {"suite", "forest"}, 3), 4559222464316657305U);

@@ -217,12 +217,28 @@ TEST(Walls, HaveGapsOfTheStatedFreeWidthBetweenCaps) {
 }
 
 TEST(Maze, JoinsAnyTwoCellsByOnePathOnly) {
+  constexpr int kCells = 6;
   for (std::uint64_t seed = 1; seed <= 20; ++seed) {
-    const auto world = generator_of("{name: maze, cells: 6}").generate(seed);
-    // A spanning tree of n cells leaves 2 s (s - 1) - (n - 1) walls of one cell's length inside.
-    double inner_m = -4 * 12.0;
-    for (const Segment& wall : world.shapes.segments) inner_m += (wall.b - wall.a).norm();
-    EXPECT_NEAR(inner_m / 2, 2 * 6 * 5 - 35, 1e-9) << "seed " << seed;
+    const auto generated = generator_of("{name: maze, cells: 6}").generate(seed);
+    const World world(generated.bounds, generated.shapes);
+    const auto center = [](int cell) {
+      return Vec2(2 * (cell % kCells) + 1, 2 * (cell / kCells) + 1);
+    };
+    // Cells joined to cell 0 through open walls, and how many walls are open: a tree of n cells has
+    // n - 1 edges.
+    int open_walls = 0;
+    std::vector<int> joined(kCells * kCells);
+    for (int cell = 0; cell < kCells * kCells; ++cell) joined[cell] = cell;
+    for (int cell = 0; cell < kCells * kCells; ++cell)
+      for (const int next : {cell + 1, cell + kCells}) {
+        const bool inside = next == cell + 1 ? next % kCells != 0 : next < kCells * kCells;
+        if (!inside || !world.segment_is_clear(center(cell), center(next), 0.3)) continue;
+        ++open_walls;
+        std::replace(joined.begin(), joined.end(), int{joined[next]}, int{joined[cell]});
+      }
+    EXPECT_EQ(open_walls, kCells * kCells - 1) << "seed " << seed;
+    EXPECT_EQ(std::count(joined.begin(), joined.end(), joined[0]), kCells * kCells)
+        << "seed " << seed;
   }
 }
 
