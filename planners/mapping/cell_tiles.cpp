@@ -22,29 +22,27 @@ void CellTiles::insert(const Slot& slot) {
   slots_[place] = slot;
 }
 
-CellTiles::Slot& CellTiles::find_or_make(std::uint32_t x, std::uint32_t y) {
-  const Slot* slot = &find(x, y);
-  if (slot->key == kNoKey) {
-    if (2 * ++tiles_ > slots_.size()) {
-      std::vector<Slot> smaller(2 * slots_.size());
-      smaller.swap(slots_);
-      --shift_;
-      for (const Slot& old : smaller) {
-        if (old.key != kNoKey) insert(old);
-      }
+CellTiles::Slot& CellTiles::make(std::uint32_t x, std::uint32_t y) {
+  if (2 * ++tiles_ > slots_.size()) {
+    std::vector<Slot> smaller(2 * slots_.size());
+    smaller.swap(slots_);
+    --shift_;
+    for (const Slot& old : smaller) {
+      if (old.key != kNoKey) insert(old);
     }
-    insert({key_of(x, y), 0, 0, kEmpty});
-    slot = &find(x, y);
   }
-  return slots_[static_cast<std::size_t>(slot - slots_.data())];
+  insert({key_of(x, y), 0, 0, kEmpty});
+  return slots_[static_cast<std::size_t>(&find(x, y) - slots_.data())];
+}
+
+void CellTiles::make_heads(Slot& slot) {
+  slot.tile = heads_.size();
+  heads_.emplace_back().fill(kEmpty);
 }
 
 std::uint32_t CellTiles::replace_head(Cell cell, std::uint32_t item) {
   Slot& slot = find_or_make(cell.x >> 3, cell.y >> 3);
-  if (slot.tile == kEmpty) {
-    slot.tile = heads_.size();
-    heads_.emplace_back().fill(kEmpty);
-  }
+  if (slot.tile == kEmpty) make_heads(slot);
   const std::uint64_t bit = std::uint64_t{1} << bit_of(cell);
   slot.occupied = item == kEmpty ? slot.occupied & ~bit : slot.occupied | bit;
   return std::exchange(heads_[slot.tile][bit_of(cell)], item);

@@ -122,7 +122,13 @@ class CellTiles {
   const Slot* next(const Slot* slot) const {
     return slot + 1 == slots_.data() + slots_.size() ? slots_.data() : slot + 1;
   }
-  Slot& find_or_make(std::uint32_t x, std::uint32_t y);
+  Slot& find_or_make(std::uint32_t x, std::uint32_t y) {
+    const Slot& slot = find(x, y);
+    if (slot.key == kNoKey) return make(x, y);
+    return slots_[static_cast<std::size_t>(&slot - slots_.data())];
+  }
+  Slot& make(std::uint32_t x, std::uint32_t y);
+  void make_heads(Slot& slot);
   void insert(const Slot& slot);
 
   double cell_m_;

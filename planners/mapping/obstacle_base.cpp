@@ -14,9 +14,6 @@ namespace {
 
 constexpr ClusterId kNoCluster = 0xffff'ffff;
 
-// Keeps the test for the nearest point on the safe side of rounding.
-constexpr double kRoundingMargin = 1 - 1e-9;
-
 void check(bool allowed, const char* name, double value, const char* bound) {
   if (allowed) return;
   throw std::invalid_argument("ObstacleBaseConfig: " + std::string(name) + " is " +
@@ -65,14 +62,11 @@ const UpdateReport& ObstacleBase::update(const Scan& scan) {
   return report_;
 }
 
-// Stage 2. Neighbouring returns mostly have the same representative, and the one that follows it is
-// mostly the one that followed it in an earlier scan: stored points are no closer to each other
-// than the thinning distance, so one within half of it is surely the nearest. Look-ups are left for
-// new ground, jumps in range, and views from elsewhere.
+// Stage 2. Neighbouring returns mostly have the same representative, and the next one is mostly the
+// one that followed it before: look-ups are left for new ground, jumps in range and other views.
 void ObstacleBase::represent_returns() {
   const double thinning_m = config_.thinning_distance_m;
   const double thinning_sq = thinning_m * thinning_m;
-  const double surely_nearest_sq = thinning_sq / 4 * kRoundingMargin;
   const std::span<const Vec2> returns = returns_.points_world();
   representatives_.resize(returns.size());
   Representative* change = representatives_.data();
@@ -83,7 +77,7 @@ void ObstacleBase::represent_returns() {
     if (distance_sq(p, current) < thinning_sq) continue;
     PointId point = followed_by_[follower];
     bool unknown = false;
-    if (point == PointIndex::kNone || !(distance_sq(p, points_[point]) < surely_nearest_sq)) {
+    if (point == PointIndex::kNone || !(distance_sq(p, points_[point]) < thinning_sq)) {
       point = points_.nearest_closer_than(p, thinning_m);
       unknown = point == PointIndex::kNone;
       if (unknown) {

@@ -44,11 +44,12 @@ struct UpdateReport {
 //
 // 1. Single linkage. Two returns belong to one cluster of the scan if they are closer than
 //    link_distance_m or a chain of such returns joins them (the papers' full search).
-// 2. Thinning. Each return, in the order of the beams, is represented by a stored point closer than
-//    thinning_distance_m: the representative of the return before it if that is close enough, else
-//    the nearest one (the earliest stored of equals). Only if there is none the return itself is
-//    stored. So no two stored points are closer than thinning_distance_m, every return ever seen
-//    has a stored point closer than that, and neither depends on clusters.
+// 2. Thinning. A return is known if a stored point is closer than thinning_distance_m, else it is
+//    stored, in the order of the beams. So no two stored points are closer than that, every return
+//    ever seen has a stored point closer than that, and neither depends on clusters. A known return
+//    is represented by a stored point closer than thinning_distance_m: the one of the return before
+//    it; else the one that last came next after that one in a scan; else the nearest (the earliest
+//    stored of equals).
 // 3. Joining. A cluster of the scan and the known clusters of its representatives have these points
 //    in common, so they are one cluster: known members first (older clusters first), then the new
 //    points in the order of their bearing. A cluster that shares no point with the base is a new

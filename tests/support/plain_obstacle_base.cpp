@@ -30,7 +30,10 @@ std::vector<std::size_t> components(std::size_t n, const Related& related) {
 
 std::size_t PlainObstacleBase::represent(const Vec2& p, std::size_t previous) {
   const double thinning_sq = config_.thinning_distance_m * config_.thinning_distance_m;
-  if (previous != kNone && (points_[previous] - p).squaredNorm() < thinning_sq) return previous;
+  const auto known_by = [&](std::size_t i) { return (points_[i] - p).squaredNorm() < thinning_sq; };
+  if (previous != kNone && known_by(previous)) return previous;
+  const auto next = came_next_.find(previous);
+  if (next != came_next_.end() && known_by(next->second)) return next->second;
   std::size_t nearest = kNone;
   double nearest_sq = thinning_sq;
   for (std::size_t i = 0; i < points_.size(); ++i) {
@@ -40,9 +43,11 @@ std::size_t PlainObstacleBase::represent(const Vec2& p, std::size_t previous) {
       nearest_sq = distance_sq;
     }
   }
-  if (nearest != kNone) return nearest;
-  points_.push_back(p);
-  return points_.size() - 1;
+  if (nearest == kNone) {
+    nearest = points_.size();
+    points_.push_back(p);
+  }
+  return came_next_[previous] = nearest;
 }
 
 void PlainObstacleBase::absorb(ClusterId into, ClusterId from) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <map>
 #include <vector>
 
 #include "voronaut/planners/mapping/obstacle_base.h"
@@ -36,7 +37,8 @@ class PlainObstacleBase {
   std::vector<ScanCluster> scan_clusters_;
   std::vector<std::vector<Vec2>> listed_world_;
   std::vector<Vec2> points_;
-  std::vector<ClusterId> label_;  // of each point
+  std::vector<ClusterId> label_;                  // of each point
+  std::map<std::size_t, std::size_t> came_next_;  // after which point which one last did
   std::vector<Cluster> clusters_;
 };
 
