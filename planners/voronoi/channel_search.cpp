@@ -31,7 +31,7 @@ std::optional<Channel> ChannelSearch::find(const DelaunayTriangulation& delaunay
   goal_triangle_ = delaunay.locate(goal);
   nodes_.clear();
   heap_.clear();
-  corner_cost_m_.assign(3 * delaunay.triangle_count(), kInfinity);
+  corner_.assign(3 * delaunay.triangle_count(), {kInfinity, -1});
   start_from(delaunay.locate(start));
   while (!heap_.empty() && nodes_.size() < kMaxNodes) {
     const std::int32_t top = heap_.front().node;
@@ -39,7 +39,7 @@ std::optional<Channel> ChannelSearch::find(const DelaunayTriangulation& delaunay
     heap_.pop_back();
     const Node& node = nodes_[top];
     if (node.at_goal) return trace(top);
-    if (node.root_corner >= 0 && node.cost_m > corner_cost_m_[node.root_corner] + kTie_m) continue;
+    if (node.root_corner >= 0 && node.cost_m > corner_[node.root_corner].cost_m + kTie_m) continue;
     expand(top);
   }
   return std::nullopt;
@@ -160,9 +160,11 @@ bool ChannelSearch::turn(Node& child, std::int32_t index, Bend bend) {
   child.root = corner;
   child.parent = index;
   child.bend = bend;
-  double& cheapest = corner_cost_m_[child.root_corner];
-  if (child.cost_m > cheapest + kTie_m) return false;
-  cheapest = std::min(cheapest, child.cost_m);
+  // Of equal ways the first one stays (walls on a grid have many), with both of its successors:
+  // what the others would see beyond this corner, the first one sees too, or sees without bending.
+  CornerRecord& record = corner_[child.root_corner];
+  if (child.cost_m > record.cost_m - kTie_m) return record.parent == index;
+  record = {child.cost_m, index};
   return true;
 }
 

@@ -69,6 +69,12 @@ class ChannelSearch {
     bool at_goal;
   };
 
+  // The cheapest way known to a corner, and the node that found it.
+  struct CornerRecord {
+    double cost_m;
+    std::int32_t parent;
+  };
+
   Gate gate(HalfEdgeId h) const;
   void start_from(TriangleId t);
   void expand(std::int32_t index);
@@ -96,7 +102,7 @@ class ChannelSearch {
   TriangleId goal_triangle_ = -1;
   std::vector<Node> nodes_;
   std::vector<Entry> heap_;
-  std::vector<double> corner_cost_m_;  // cheapest way known to each corner, by its key
+  std::vector<CornerRecord> corner_;  // by a corner's key
 };
 
 }  // namespace voronaut
