@@ -143,6 +143,20 @@ TEST(ConfigReader, SurvivesDeepNesting) {
   EXPECT_NE(error_of("label: " + std::string(100'000, '[')), "no error");
 }
 
+TEST(ConfigReader, SaysWhyAFileCannotBeRead) {
+  const auto error_of_file = [](const std::string& path) {
+    try {
+      ConfigNode::read_file(path);
+    } catch (const ConfigError& error) {
+      return std::string(error.what());
+    }
+    return std::string("no error");
+  };
+  EXPECT_EQ(error_of_file("/nowhere/suite.yaml"),
+            "/nowhere/suite.yaml: cannot be read (No such file or directory)");
+  EXPECT_EQ(error_of_file("/"), "/: cannot be read (is a folder)");
+}
+
 TEST(ConfigReader, FindsFilesBesideTheOneThatNamesThem) {
   const ConfigNode root = ConfigNode::parse("a: 1", "suites/paper/x.yaml");
   EXPECT_EQ(root.beside("../worlds/y.yaml"), "suites/worlds/y.yaml");
