@@ -53,6 +53,19 @@ Bounds grown(const Bounds& area, double by_m) {
 
 }  // namespace
 
+// Two rounds over the same cells: count, then place. each(add) calls add(id, cell).
+template <class ForEach>
+ShapeIndex::CellLists ShapeIndex::list(ForEach&& each) const {
+  CellLists lists;
+  lists.start.assign(grid_.size() + 1, 0);
+  each([&](std::uint32_t, std::size_t at) { ++lists.start[at + 1]; });
+  for (std::size_t c = 0; c < grid_.size(); ++c) lists.start[c + 1] += lists.start[c];
+  lists.entry.resize(lists.start.back());
+  std::vector<std::uint32_t> next(lists.start.begin(), lists.start.end() - 1);
+  each([&](std::uint32_t id, std::size_t at) { lists.entry[next[at]++] = id; });
+  return lists;
+}
+
 ShapeIndex::ShapeIndex(const Shapes& shapes, double cell_m)
     : circles_(shapes.circles), edges_(shapes.segments) {
   for (const Polygon& polygon : shapes.polygons) {
@@ -63,35 +76,25 @@ ShapeIndex::ShapeIndex(const Shapes& shapes, double cell_m)
   if (shapes.empty()) return;
   lay_out_cells(cell_m);
 
-  // Two rounds over the same cells: count, then place.
-  const double margin_m = kCellMargin * cell_m_;
-  const auto list = [&](CellLists& lists, auto&& each) {
-    const std::size_t cells = static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_);
-    lists.start.assign(cells + 1, 0);
-    each([&](std::uint32_t, std::size_t at) { ++lists.start[at + 1]; });
-    for (std::size_t c = 0; c < cells; ++c) lists.start[c + 1] += lists.start[c];
-    lists.entry.resize(lists.start[cells]);
-    std::vector<std::uint32_t> next(lists.start.begin(), lists.start.end() - 1);
-    each([&](std::uint32_t id, std::size_t at) { lists.entry[next[at]++] = id; });
-  };
+  const double margin_m = kCellMargin * grid_.cell_m();
   const auto fill = [&](const Bounds& area, std::uint32_t id, auto&& add) {
-    const CellRange range = cells_in(grown(area, margin_m));
+    const CellGrid::Range range = grid_.cells_in(grown(area, margin_m));
     for (int y = range.y0; y <= range.y1; ++y) {
-      for (int x = range.x0; x <= range.x1; ++x) add(id, cell(x, y));
+      for (int x = range.x0; x <= range.x1; ++x) add(id, grid_.cell(x, y));
     }
   };
-  list(primitives_, [&](auto&& add) {
+  primitives_ = list([&](auto&& add) {
     std::uint32_t id = 0;
     for (const Circle& circle : circles_) fill(bounds_of(circle), id++, add);
     for (const Segment& e : edges_) {
-      for_cells_near(e, margin_m, [&](int y, int x0, int x1) {
-        for (int x = x0; x <= x1; ++x) add(id, cell(x, y));
+      grid_.for_cells_near(e, margin_m, [&](int y, int x0, int x1) {
+        for (int x = x0; x <= x1; ++x) add(id, grid_.cell(x, y));
         return true;
       });
       ++id;
     }
   });
-  list(solids_at_, [&](auto&& add) {
+  solids_at_ = list([&](auto&& add) {
     std::uint32_t id = 0;
     for (const Polygon& polygon : shapes.polygons) fill(bounds_of(polygon), id++, add);
   });
@@ -107,50 +110,7 @@ void ShapeIndex::lay_out_cells(double cell_m) {
   if (cell_m <= 0) cell_m = std::sqrt(size_m.x() * size_m.y() / count) / 2;
   if (cell_m <= 0) cell_m = std::max(size_m.maxCoeff() / count, 1.0);
   while ((size_m.x() / cell_m + 1) * (size_m.y() / cell_m + 1) > 5 * count + 64) cell_m *= 1.25;
-  cell_m_ = cell_m;
-  cells_per_m_ = 1 / cell_m;
-  origin_ = area.min - Vec2::Constant(kCellMargin * cell_m);
-  columns_ = static_cast<int>((size_m.x() / cell_m + 2 * kCellMargin)) + 1;
-  rows_ = static_cast<int>((size_m.y() / cell_m + 2 * kCellMargin)) + 1;
-}
-
-int ShapeIndex::column(double x) const {
-  return static_cast<int>(
-      std::clamp((x - origin_.x()) * cells_per_m_, -1.0, static_cast<double>(columns_)));
-}
-
-int ShapeIndex::row(double y) const {
-  return static_cast<int>(
-      std::clamp((y - origin_.y()) * cells_per_m_, -1.0, static_cast<double>(rows_)));
-}
-
-ShapeIndex::CellRange ShapeIndex::cells_in(const Bounds& area) const {
-  return {std::max(column(area.min.x()), 0), std::max(row(area.min.y()), 0),
-          std::min(column(area.max.x()), columns_ - 1), std::min(row(area.max.y()), rows_ - 1)};
-}
-
-template <class OnCells>
-bool ShapeIndex::for_cells_near(const Segment& s, double pad_m, OnCells&& cells) const {
-  const CellRange range = cells_in(grown(bounds_of(s), pad_m));
-  const Vec2 along = s.b - s.a;
-  for (int y = range.y0; y <= range.y1; ++y) {
-    // The part of the segment from which the row can be reached.
-    double from = 0;
-    double to = 1;
-    if (along.y() != 0) {
-      const double bottom_m = origin_.y() + y * cell_m_ - pad_m;
-      const double at_bottom = (bottom_m - s.a.y()) / along.y();
-      const double at_top = (bottom_m + cell_m_ + 2 * pad_m - s.a.y()) / along.y();
-      from = std::clamp(std::min(at_bottom, at_top), 0.0, 1.0);
-      to = std::clamp(std::max(at_bottom, at_top), 0.0, 1.0);
-    }
-    const double x_from = s.a.x() + from * along.x();
-    const double x_to = s.a.x() + to * along.x();
-    const int x0 = std::max(column(std::min(x_from, x_to) - pad_m), range.x0);
-    const int x1 = std::min(column(std::max(x_from, x_to) + pad_m), range.x1);
-    if (x0 <= x1 && !cells(y, x0, x1)) return false;
-  }
-  return true;
+  grid_ = CellGrid(grown(area, kCellMargin * cell_m), cell_m);
 }
 
 double ShapeIndex::solid_distance(const Solid& solid, const Vec2& p) const {
@@ -176,23 +136,24 @@ double ShapeIndex::nearest_in_cell(std::size_t at, const Vec2& p) const {
 
 double ShapeIndex::clearance_m(const Vec2& p, double within_m) const {
   double nearest_m = within_m;
-  if (columns_ == 0) return nearest_m;
-  const int px = std::clamp(column(p.x()), 0, columns_ - 1);
-  const int py = std::clamp(row(p.y()), 0, rows_ - 1);
-  const std::size_t home = cell(px, py);
+  if (grid_.size() == 0) return nearest_m;
+  const int px = std::clamp(grid_.column(p.x()), 0, grid_.columns() - 1);
+  const int py = std::clamp(grid_.row(p.y()), 0, grid_.rows() - 1);
+  const std::size_t home = grid_.cell(px, py);
   for (std::uint32_t k = solids_at_.start[home]; k < solids_at_.start[home + 1]; ++k) {
     nearest_m = std::min(nearest_m, solid_distance(solids_[solids_at_.entry[k]], p));
   }
   // Square rings of cells around the home cell: what ring k + 1 and beyond hold is at least k
   // cells away.
-  const int last_ring = std::max({px, columns_ - 1 - px, py, rows_ - 1 - py});
+  const int last_ring = std::max({px, grid_.columns() - 1 - px, py, grid_.rows() - 1 - py});
   for (int ring = 0; ring <= last_ring; ++ring) {
-    if (nearest_m <= (ring - 1) * cell_m_) break;
-    for (int y = std::max(py - ring, 0); y <= std::min(py + ring, rows_ - 1); ++y) {
+    if (nearest_m <= (ring - 1) * grid_.cell_m()) break;
+    for (int y = std::max(py - ring, 0); y <= std::min(py + ring, grid_.rows() - 1); ++y) {
       const bool whole_row = std::abs(y - py) == ring;
       const int step = whole_row || ring == 0 ? 1 : 2 * ring;
       for (int x = px - ring; x <= px + ring; x += step) {
-        if (x >= 0 && x < columns_) nearest_m = std::min(nearest_m, nearest_in_cell(cell(x, y), p));
+        if (x >= 0 && x < grid_.columns())
+          nearest_m = std::min(nearest_m, nearest_in_cell(grid_.cell(x, y), p));
       }
     }
   }
@@ -201,8 +162,8 @@ double ShapeIndex::clearance_m(const Vec2& p, double within_m) const {
 
 bool ShapeIndex::is_inside_polygon(const Vec2& p) const {
   if (solids_.empty()) return false;
-  const std::size_t home =
-      cell(std::clamp(column(p.x()), 0, columns_ - 1), std::clamp(row(p.y()), 0, rows_ - 1));
+  const std::size_t home = grid_.cell(std::clamp(grid_.column(p.x()), 0, grid_.columns() - 1),
+                                      std::clamp(grid_.row(p.y()), 0, grid_.rows() - 1));
   for (std::uint32_t k = solids_at_.start[home]; k < solids_at_.start[home + 1]; ++k) {
     const Solid& solid = solids_[solids_at_.entry[k]];
     bool inside = false;
@@ -215,13 +176,13 @@ bool ShapeIndex::is_inside_polygon(const Vec2& p) const {
 }
 
 bool ShapeIndex::segment_is_clear(const Vec2& a, const Vec2& b, double radius_m) const {
-  if (columns_ == 0) return true;
+  if (grid_.size() == 0) return true;
   if (is_inside_polygon(a)) return false;
   const Sweep sweep(a, b, radius_m);
   const auto circle_count = static_cast<std::uint32_t>(circles_.size());
-  return for_cells_near({a, b}, radius_m, [&](int y, int x0, int x1) {
-    const std::uint32_t end = primitives_.start[cell(x1, y) + 1];
-    for (std::uint32_t k = primitives_.start[cell(x0, y)]; k < end; ++k) {
+  return grid_.for_cells_near({a, b}, radius_m, [&](int y, int x0, int x1) {
+    const std::uint32_t end = primitives_.start[grid_.cell(x1, y) + 1];
+    for (std::uint32_t k = primitives_.start[grid_.cell(x0, y)]; k < end; ++k) {
       const std::uint32_t id = primitives_.entry[k];
       if (id < circle_count ? sweep.touches(circles_[id])
                             : sweep.touches(edges_[id - circle_count]))
@@ -229,51 +190,6 @@ bool ShapeIndex::segment_is_clear(const Vec2& a, const Vec2& b, double radius_m)
     }
     return true;
   });
-}
-
-// Where a ray from outside gets into both slabs of the grid, +infinity if it does not.
-double ShapeIndex::enters_grid_at_m(const Vec2& from, const Vec2& per_m) const {
-  double enter_m = 0;
-  double leave_m = kInfinity;
-  const Vec2 size_m(columns_ * cell_m_, rows_ * cell_m_);
-  for (const int axis : {0, 1}) {
-    if (std::isinf(per_m[axis])) {
-      if (from[axis] < 0 || from[axis] >= size_m[axis]) return kInfinity;
-      continue;
-    }
-    const double low_m = -from[axis] * per_m[axis];
-    const double high_m = (size_m[axis] - from[axis]) * per_m[axis];
-    enter_m = std::max(enter_m, std::min(low_m, high_m));
-    leave_m = std::min(leave_m, std::max(low_m, high_m));
-  }
-  return enter_m <= leave_m ? enter_m : kInfinity;
-}
-
-ShapeIndex::CellWalk::CellWalk(const ShapeIndex& index, const Vec2& p, const Vec2& direction,
-                               double range)
-    : range_m(range) {
-  const Vec2 from = p - index.origin_;
-  const Vec2 per_m(1 / direction.x(), 1 / direction.y());
-  Vec2 entry = from;
-  if (from.x() < 0 || from.y() < 0 || from.x() >= index.columns_ * index.cell_m_ ||
-      from.y() >= index.rows_ * index.cell_m_) {
-    entered_m = index.enters_grid_at_m(from, per_m);
-    if (!(entered_m <= range)) return;
-    entry += entered_m * direction;
-  }
-  x = std::clamp(static_cast<int>(entry.x() * index.cells_per_m_), 0, index.columns_ - 1);
-  y = std::clamp(static_cast<int>(entry.y() * index.cells_per_m_), 0, index.rows_ - 1);
-  const bool right = direction.x() >= 0;
-  const bool up = direction.y() >= 0;
-  step_x = right ? 1 : -1;
-  step_y = up ? 1 : -1;
-  end_x = right ? index.columns_ : -1;
-  end_y = up ? index.rows_ : -1;
-  across_x_m = index.cell_m_ * std::abs(per_m.x());
-  across_y_m = index.cell_m_ * std::abs(per_m.y());
-  // A ray along an axis never leaves its row or column.
-  next_x_m = direction.x() == 0 ? kInfinity : (index.cell_m_ * (x + right) - from.x()) * per_m.x();
-  next_y_m = direction.y() == 0 ? kInfinity : (index.cell_m_ * (y + up) - from.y()) * per_m.y();
 }
 
 }  // namespace voronaut

@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "voronaut/environments/cell_grid.h"
 #include "voronaut/environments/shapes.h"
 
 namespace voronaut {
@@ -50,9 +51,6 @@ class ShapeIndex {
             Done&& done) const;
 
  private:
-  struct CellRange {
-    int x0, y0, x1, y1;  // inclusive; empty if x0 > x1
-  };
   struct Solid {  // a polygon as a run of edges
     std::uint32_t first_edge, last_edge;
   };
@@ -62,77 +60,44 @@ class ShapeIndex {
     std::vector<std::uint32_t> entry;
   };
 
-  int column(double x) const;
-  int row(double y) const;
-  CellRange cells_in(const Bounds& area) const;
-  std::size_t cell(int x, int y) const {
-    return static_cast<std::size_t>(y) * static_cast<std::size_t>(columns_) +
-           static_cast<std::size_t>(x);
-  }
-
-  // Where a ray is on its way through the cells: Amanatides and Woo, "A Fast Voxel Traversal
-  // Algorithm for Ray Tracing", Eurographics 1987.
-  struct CellWalk {
-    CellWalk(const ShapeIndex& index, const Vec2& p, const Vec2& direction, double range_m);
-    bool inside() const { return x != end_x && y != end_y && entered_m <= range_m; }
-    double leave_m() const { return std::min(next_x_m, next_y_m); }
-    void advance() {
-      entered_m = leave_m();
-      if (next_x_m < next_y_m) {
-        x += step_x;
-        next_x_m += across_x_m;
-      } else {
-        y += step_y;
-        next_y_m += across_y_m;
-      }
-    }
-
-    int x = 0, y = 0, step_x = 1, step_y = 1;
-    int end_x = 0, end_y = 0;               // first column and row past the grid
-    double next_x_m = 0, next_y_m = 0;      // where the ray leaves the column, the row
-    double across_x_m = 0, across_y_m = 0;  // ray length per column, row
-    double entered_m = 0;                   // where it entered the cell it is in
-    double range_m = 0;
-  };
-
   void lay_out_cells(double cell_m);
-  double enters_grid_at_m(const Vec2& from, const Vec2& per_m) const;
-  // Calls cells(y, x0, x1) for the row pieces within pad_m of the segment, until it returns false.
-  template <class OnCells>
-  bool for_cells_near(const Segment& s, double pad_m, OnCells&& cells) const;
+  template <class ForEach>
+  CellLists list(ForEach&& each) const;
+  template <class OnCircle, class OnEdge>
+  void call(std::uint32_t id, OnCircle& circle, OnEdge& edge) const;
   double solid_distance(const Solid& solid, const Vec2& p) const;
   double nearest_in_cell(std::size_t cell, const Vec2& p) const;
 
   std::vector<Circle> circles_;
   std::vector<Segment> edges_;
   std::vector<Solid> solids_;
-  Vec2 origin_ = Vec2::Zero();
-  double cell_m_ = 1;
-  double cells_per_m_ = 1;
-  int columns_ = 0;
-  int rows_ = 0;
+  CellGrid grid_;
   CellLists primitives_;  // circle i is i, edge i is circles + i
   CellLists solids_at_;   // polygons whose bounding box touches the cell
 };
 
 template <class OnCircle, class OnEdge>
+inline void ShapeIndex::call(std::uint32_t id, OnCircle& circle, OnEdge& edge) const {
+  const auto circle_count = static_cast<std::uint32_t>(circles_.size());
+  if (id < circle_count) {
+    circle(id);
+  } else {
+    edge(id - circle_count);
+  }
+}
+
+template <class OnCircle, class OnEdge>
 void ShapeIndex::visit(const Bounds& area, OnCircle&& circle, OnEdge&& edge) const {
   std::array<std::uint32_t, 64> recent;
   recent.fill(std::numeric_limits<std::uint32_t>::max());
-  const auto circle_count = static_cast<std::uint32_t>(circles_.size());
-  const CellRange range = cells_in(area);
+  const CellGrid::Range range = grid_.cells_in(area);
   if (range.x0 > range.x1) return;
   for (int y = range.y0; y <= range.y1; ++y) {
     // The cells of a row are neighbours in the lists too.
-    const std::uint32_t end = primitives_.start[cell(range.x1, y) + 1];
-    for (std::uint32_t k = primitives_.start[cell(range.x0, y)]; k < end; ++k) {
+    const std::uint32_t end = primitives_.start[grid_.cell(range.x1, y) + 1];
+    for (std::uint32_t k = primitives_.start[grid_.cell(range.x0, y)]; k < end; ++k) {
       const std::uint32_t id = primitives_.entry[k];
-      if (std::exchange(recent[id % recent.size()], id) == id) continue;
-      if (id < circle_count) {
-        circle(id);
-      } else {
-        edge(id - circle_count);
-      }
+      if (std::exchange(recent[id % recent.size()], id) != id) call(id, circle, edge);
     }
   }
 }
@@ -140,20 +105,12 @@ void ShapeIndex::visit(const Bounds& area, OnCircle&& circle, OnEdge&& edge) con
 template <class OnCircle, class OnEdge, class Done>
 void ShapeIndex::walk(const Vec2& p, const Vec2& direction, double range_m, OnCircle&& circle,
                       OnEdge&& edge, Done&& done) const {
-  CellWalk at(*this, p, direction, range_m);
-  const auto circle_count = static_cast<std::uint32_t>(circles_.size());
-  while (at.inside()) {
-    const std::size_t here = cell(at.x, at.y);
+  for (CellGrid::Walk at(grid_, p, direction, range_m); at.inside(); at.advance()) {
+    const std::size_t here = grid_.cell(at.x(), at.y());
     for (std::uint32_t k = primitives_.start[here]; k < primitives_.start[here + 1]; ++k) {
-      const std::uint32_t id = primitives_.entry[k];
-      if (id < circle_count) {
-        circle(id);
-      } else {
-        edge(id - circle_count);
-      }
+      call(primitives_.entry[k], circle, edge);
     }
     if (done(at.leave_m())) return;
-    at.advance();
   }
 }
 
