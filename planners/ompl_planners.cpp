@@ -53,7 +53,8 @@ PlannerEntry entry(const char* name, const char* summary) {
 std::vector<PlannerEntry> ompl_planners() {
   return {
       entry<og::ABITstar>("ABITstar", "OMPL: advanced batch informed trees, anytime"),
-      entry<og::AITstar>("AITstar", "OMPL: adaptively informed trees, anytime"),
+      entry<og::AITstar>(
+          "AITstar", "OMPL: adaptively informed trees, anytime (1.5.2 aborts on some problems)"),
       entry<og::BFMT>("BFMT", "OMPL: bidirectional fast marching tree"),
       entry<og::BITstar>("BITstar", "OMPL: batch informed trees, anytime"),
       entry<og::BKPIECE1>("BKPIECE1", "OMPL: bidirectional KPIECE on one grid level"),

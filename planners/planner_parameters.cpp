@@ -63,8 +63,14 @@ bool is_numeric(const ob::GenericParam& param) {
          dynamic_cast<const ob::SpecificParam<std::size_t>*>(&param);
 }
 
+// OMPL takes any word for a flag.
+bool is_flag(const std::string& text) {
+  return text == "0" || text == "1" || text == "false" || text == "true";
+}
+
 bool try_set(ob::GenericParam& param, const std::string& value) {
   if (is_numeric(param) && !is_number(value)) return false;
+  if (dynamic_cast<const ob::SpecificParam<bool>*>(&param) && !is_flag(value)) return false;
   try {
     return param.setValue(value);
   } catch (const std::out_of_range&) {

@@ -9,7 +9,7 @@
 namespace voronaut {
 
 // Gains of a vehicle of unit mass. With these the push of one obstacle balances the pull of a
-// distant goal 0.68 m before it.
+// distant goal 0.655 m before it.
 struct PotentialConfig {
   double attraction_gain = 1;          // k_p [N/m]
   double attraction_saturation_m = 1;  // a goal farther than this pulls no harder: the speed limit

@@ -1,0 +1,64 @@
+#include "planar_problem.h"
+
+#include <ompl/base/ScopedState.h>
+#include <ompl/base/goals/GoalStates.h>
+#include <ompl/base/spaces/RealVectorStateProjections.h>
+
+namespace voronaut::test {
+
+namespace ob = ompl::base;
+
+namespace {
+
+void place(ob::ScopedState<>& state, const Vec2& p) {
+  state[0] = p.x();
+  state[1] = p.y();
+}
+
+}  // namespace
+
+PlanarProblem::PlanarProblem(const IsFree& is_free) {
+  auto space = std::make_shared<CountingPlane>(states_alive);
+  space->setBounds(0, 10);
+  space->registerDefaultProjection(std::make_shared<ob::RealVectorOrthogonalProjectionEvaluator>(
+      space.get(), std::vector<double>{0.5, 0.5}, std::vector<unsigned>{0, 1}));
+  si = std::make_shared<ob::SpaceInformation>(space);
+  si->setStateValidityChecker([is_free](const ob::State* state) { return is_free(planar(state)); });
+  si->setStateValidityCheckingResolution(0.002);
+  si->setup();
+}
+
+ob::ProblemDefinitionPtr PlanarProblem::define(const std::vector<Vec2>& starts,
+                                               const std::vector<Vec2>& goals) const {
+  auto definition = std::make_shared<ob::ProblemDefinition>(si);
+  ob::ScopedState<> state(si);
+  for (const Vec2& each : starts) {
+    place(state, each);
+    definition->addStartState(state);
+  }
+  auto goal = std::make_shared<ob::GoalStates>(si);
+  for (const Vec2& each : goals) {
+    place(state, each);
+    goal->addState(state);
+  }
+  definition->setGoal(goal);
+  return definition;
+}
+
+bool free_of_two_discs(const Vec2& p) {
+  return (p - Vec2(5.3, 4.7)).norm() >= 0.6 && (p - Vec2(2, 7)).norm() >= 1;
+}
+
+PlanarProblem::IsFree with_ring_around(const Vec2& center) {
+  return [center](const Vec2& p) {
+    const double from_center = (p - center).norm();
+    return free_of_two_discs(p) && (from_center < 0.4 || from_center > 0.7);
+  };
+}
+
+Vec2 planar(const ob::State* state) {
+  const auto* real = state->as<ob::RealVectorStateSpace::StateType>();
+  return {real->values[0], real->values[1]};
+}
+
+}  // namespace voronaut::test
