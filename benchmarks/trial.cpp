@@ -36,7 +36,8 @@ std::string join(const std::vector<std::string>& words) {
   return text;
 }
 
-void add_metrics(RunRecord& record, const EpisodeLog& log, double arrival_or_end_s) {
+void add_metrics(RunRecord& record, const EpisodeLog& log, const Vec2& goal_world) {
+  const double arrival_or_end_s = log.end_s;
   const auto last = static_cast<std::size_t>(
       std::count_if(log.ticks.begin(), log.ticks.end(),
                     [&](const Tick& t) { return t.t_s <= arrival_or_end_s + 1e-9; }));
@@ -44,7 +45,12 @@ void add_metrics(RunRecord& record, const EpisodeLog& log, double arrival_or_end
   const bool success = record.outcome == Outcome::goal_reached;
   record.duration_s = arrival_or_end_s;
   record.path_length_m = path_length_m(flown);
-  if (success) record.path_ratio = record.path_length_m / record.shortest_length_m;
+  if (success) {
+    // The flight ends at the goal's tolerance, the reference at the goal: the rest of the way
+    // counts.
+    const double left_m = (flown.back().state.p_world.head<2>() - goal_world).norm();
+    record.path_ratio = (record.path_length_m + left_m) / record.shortest_length_m;
+  }
   record.spl = spl(success, record.shortest_length_m, record.path_length_m);
   record.clearance_min_m = clearance_min_m(log.ticks);
   record.clearance_mean_m = clearance_mean_m(flown);
@@ -86,7 +92,7 @@ TrialResult run_trial(const TrialSpec& spec, const PlannerCatalog& planners, boo
   result.record.budget_stops = log.budget_stops;
   result.record.map_points = static_cast<std::int64_t>(flight.belief.obstacles.points().size());
   result.record.map_obstacles = static_cast<std::int64_t>(flight.belief.obstacles.cluster_count());
-  add_metrics(result.record, log, log.end_s);
+  add_metrics(result.record, log, spec.scenario.goal_world);
   add_times(result.record, log);
   if (keep_trace) result.trace = trace_of(spec, log, flight.belief.obstacles);
   return result;
