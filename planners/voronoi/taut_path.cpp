@@ -100,12 +100,16 @@ class TautString {
     return true;
   }
 
-  // A string that turns away from a circle does not touch it. Half a turn is taken as a turn around
-  // the circle, whichever way rounding has it.
+  // How far the string turns at bead i in the sense in which it goes around it: the sine.
+  double turn(std::size_t i) const {
+    return cross(straights_[i - 1].direction, straights_[i].direction) *
+           (beads_[i].on_left ? 1 : -1);
+  }
+
+  // A string that turns the other way does not touch the circle. More than half a turn around a
+  // wall's end looks like that, too, but then it goes back.
   bool lifts(std::size_t i) const {
-    const Vec2 &in = straights_[i - 1].direction, &out = straights_[i].direction;
-    const double turn = cross(in, out) * (beads_[i].on_left ? 1 : -1);
-    return turn < 0 && !(in.dot(out) < 0 && turn > -1e-6);
+    return turn(i) < 0 && straights_[i - 1].direction.dot(straights_[i].direction) > 0;
   }
 
   bool drop_one() {
@@ -128,6 +132,25 @@ class TautString {
     return around_.radius_m - (on_left ? to_left : -to_left);
   }
 
+  SiteId gate_site(HalfEdgeId h, bool on_left) const {
+    return on_left ? around_.delaunay.target(h) : around_.delaunay.origin(h);
+  }
+
+  // A gate that ends at a circle which a straight piece touches is crossed by that piece, by the
+  // arc around the circle or by the piece on the other side of it.
+  bool crosses(std::size_t i, HalfEdgeId gate) const {
+    const Straight& s = straights_[i];
+    for (const std::size_t end : {i, i + 1}) {
+      const Bead& bead = beads_[end];
+      if (bead.site < 0 || gate_site(gate, bead.on_left) != bead.site) continue;
+      const Vec2 along_gate = around_.delaunay.site(gate_site(gate, !bead.on_left)) - bead.center;
+      const Vec2 to_contact = (end == i ? s.from : s.to) - bead.center;
+      const double ahead = along_gate.dot(s.direction) * (end == i ? 1 : -1);
+      if (ahead < 0 || along_gate.dot(to_contact) < 0) return false;
+    }
+    return true;
+  }
+
   bool add_deepest() {
     double deepest_m = kTouch_m;
     std::size_t where = 0;
@@ -135,9 +158,10 @@ class TautString {
     for (std::size_t i = 0; i < straights_.size(); ++i) {
       if (channel_.gates.empty()) break;
       for (std::size_t k = beads_[i].gate; k <= beads_[i + 1].gate; ++k) {
+        if (!crosses(i, channel_.gates[k])) continue;
         for (const bool on_left : {true, false}) {
           const HalfEdgeId h = channel_.gates[k];
-          const SiteId site = on_left ? around_.delaunay.target(h) : around_.delaunay.origin(h);
+          const SiteId site = gate_site(h, on_left);
           if (around_.delaunay.is_frame(site) || is_bead(i, site, on_left) ||
               is_bead(i + 1, site, on_left))
             continue;
@@ -162,6 +186,7 @@ class TautString {
   void add_arc(std::size_t i, std::vector<Vec2>& points) const {
     const Vec2 &in = straights_[i - 1].direction, &out = straights_[i].direction;
     std::vector<Vec2> directions{in, out};
+    if (turn(i) < 0) directions = {in, -(in + out).normalized(), out};
     int halvings = 0;
     while (directions[0].dot(directions[1]) < kCosFinest) halve(directions, i), ++halvings;
     for (; halvings < kMaxHalvings && !corners_are_clear(i, directions); ++halvings)
@@ -194,7 +219,9 @@ class TautString {
     Vec2 last = straights_[i - 1].to;
     for (std::size_t k = 1; k < directions.size(); ++k) {
       const Vec2 next = corner(i, directions[k - 1], directions[k]);
-      if (!around_.cells.swept_disc_is_clear(last, next, around_.check_radius_m)) return false;
+      if (!around_.domain.contains(next) ||
+          !around_.cells.swept_disc_is_clear(last, next, around_.check_radius_m))
+        return false;
       last = next;
     }
     return around_.cells.swept_disc_is_clear(last, straights_[i].from, around_.check_radius_m);
