@@ -134,10 +134,11 @@ bool TangentRims::is_free(const Disc& disc, const Vec2& direction,
   return world_.bounds().contains(p) && world_.index().clearance_m(p, radius_m_) >= reach_m_;
 }
 
-TangentRims::ArcRange TangentRims::find_arcs(std::uint32_t index) {
-  const Disc disc = discs_[index];
+// Where the rim may change between free and blocked, in order, and the edges that end in its
+// centre.
+std::vector<double> TangentRims::crossings_of(const Disc& disc,
+                                              std::vector<Vec2>& own_edges) const {
   std::vector<double> quarters;
-  std::vector<Vec2> own_edges;
   Crossings crossings(disc, quarters);
   const ShapeIndex& shapes = world_.index();
   shapes.visit(
@@ -161,39 +162,46 @@ TangentRims::ArcRange TangentRims::find_arcs(std::uint32_t index) {
       });
   crossings.with_bounds(world_.bounds());
   std::sort(quarters.begin(), quarters.end());
+  return quarters;
+}
 
+TangentRims::ArcRange TangentRims::find_arcs(std::uint32_t index) {
+  const Disc disc = discs_[index];
+  std::vector<Vec2> own_edges;
+  std::vector<double> quarters = crossings_of(disc, own_edges);
+  if (quarters.empty()) quarters.push_back(0);
+
+  // Between neighbouring crossings the rim is free or blocked as its middle is. Slivers between
+  // crossings that coincide are neither: they join what lies on their sides.
+  struct Piece {
+    double from, span;
+    bool sliver, free;
+  };
+  std::vector<Piece> pieces(quarters.size());
+  for (std::size_t i = 0; i < pieces.size(); ++i) {
+    const double next = i + 1 < quarters.size() ? quarters[i + 1] : quarters[0] + 4;
+    const double span = next - quarters[i];
+    const bool sliver = span <= kShortestArcQuarters;
+    const Vec2 middle = direction_at(quarters[i] + span / 2);
+    pieces[i] = {quarters[i], span, sliver, !sliver && is_free(disc, middle, own_edges)};
+  }
+  // Begin behind a blocked piece, so that no free arc is cut by the seam.
+  const auto blocked = std::find_if(pieces.begin(), pieces.end(),
+                                    [](const Piece& p) { return !p.sliver && !p.free; });
   const auto first = static_cast<std::uint32_t>(arcs_.size());
-  if (quarters.empty()) {
-    if (is_free(disc, Vec2::UnitX(), own_edges)) arcs_.push_back({index, 0, 4});
-    return {first, static_cast<std::uint32_t>(arcs_.size())};
-  }
-  // Between neighbouring crossings the rim is free or blocked as its middle is. Begin after a
-  // blocked piece, so that no free arc is cut by the seam.
-  const std::size_t count = quarters.size();
-  std::vector<bool> free(count);
-  std::vector<double> span(count);
-  std::size_t blocked = count;
-  for (std::size_t i = 0; i < count; ++i) {
-    span[i] = i + 1 < count ? quarters[i + 1] - quarters[i] : quarters[0] + 4 - quarters[i];
-    free[i] = span[i] > kShortestArcQuarters &&
-              is_free(disc, direction_at(quarters[i] + span[i] / 2), own_edges);
-    if (!free[i] && span[i] > kShortestArcQuarters) blocked = i;
-  }
-  if (blocked == count) {
+  if (blocked == pieces.end()) {
     arcs_.push_back({index, 0, 4});
-    return {first, static_cast<std::uint32_t>(arcs_.size())};
+    return {first, first + 1};
   }
+  std::rotate(pieces.begin(), blocked, pieces.end());
   bool open = false;
-  for (std::size_t step = 1; step <= count; ++step) {
-    const std::size_t i = (blocked + step) % count;
-    if (span[i] <= kShortestArcQuarters) {
-      if (open) arcs_.back().span_quarters += span[i];
-    } else if (free[i] && open) {
-      arcs_.back().span_quarters += span[i];
-    } else if (free[i]) {
-      arcs_.push_back({index, quarters[i], span[i]});
+  for (const Piece& piece : pieces) {
+    if (open && (piece.free || piece.sliver)) {
+      arcs_.back().span_quarters += piece.span;
+    } else if (piece.free) {
+      arcs_.push_back({index, piece.from, piece.span});
     }
-    open = span[i] <= kShortestArcQuarters ? open : free[i];
+    open = piece.sliver ? open : piece.free;
   }
   return {first, static_cast<std::uint32_t>(arcs_.size())};
 }
