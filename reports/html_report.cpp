@@ -107,23 +107,24 @@ ReportInput read_report_input(const ResultStore& store, std::string title,
   input.manifest_json = std::move(manifest_json);
   input.records = store.records();
   input.summary = summarise(input.records);
-  std::size_t used = 0;
-  std::set<std::string> drawn_worlds;
+  const auto sizes = store.trace_sizes();
+  input.stored_traces = sizes.size();
   std::map<std::string_view, std::string_view> world_of;
   for (const RunRecord& record : input.records) {
     world_of[record.trial_id] = record.world_id;
   }
+  std::size_t used = 0;
+  std::set<std::string_view> drawn_worlds;
   for (const std::string& trial_id : order_of_replays(input.records)) {
-    auto blob = store.trace_blob(trial_id);
-    if (!blob) {
+    const auto stored = sizes.find(trial_id);
+    if (stored == sizes.end()) {
       continue;
     }
-    ++input.stored_traces;
-    const std::size_t size = (blob->size() + 2) / 3 * 4;  // as base64
+    const std::size_t size = (stored->second + 2) / 3 * 4;  // as base64
     if (used + size <= max_trace_bytes) {
       used += size;
-      drawn_worlds.emplace(world_of.at(trial_id));
-      input.trace_blobs.emplace(trial_id, std::move(*blob));
+      drawn_worlds.insert(world_of.at(trial_id));
+      input.trace_blobs.emplace(trial_id, store.trace_blob(trial_id).value());
     }
   }
   input.worlds = store.worlds();

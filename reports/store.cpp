@@ -246,6 +246,15 @@ std::optional<std::string> ResultStore::trace_blob(std::string_view trial_id) co
   return query.step() ? std::optional(query.blob(0)) : std::nullopt;
 }
 
+std::map<std::string, std::size_t> ResultStore::trace_sizes() const {
+  std::map<std::string, std::size_t> sizes;
+  sqlite::Statement query(database_, "SELECT trial_id, length(data) FROM traces");
+  while (query.step()) {
+    sizes.emplace(query.text(0), static_cast<std::size_t>(query.integer(1)));
+  }
+  return sizes;
+}
+
 std::optional<Trace> ResultStore::trace(std::string_view trial_id) const {
   const auto blob = trace_blob(trial_id);
   if (!blob) {

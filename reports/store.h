@@ -1,6 +1,8 @@
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
+#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -49,7 +51,8 @@ class ResultStore {
   std::optional<Trace> trace(std::string_view trial_id) const;
   // Raw deflate of the JSON of trace_json.h.
   std::optional<std::string> trace_blob(std::string_view trial_id) const;
-  std::vector<TraceWorld> worlds() const;  // ordered by world_id
+  std::map<std::string, std::size_t> trace_sizes() const;  // bytes of each trace_blob
+  std::vector<TraceWorld> worlds() const;                  // ordered by world_id
 
   void set_meta(std::string_view key, std::string_view value);
   std::optional<std::string> meta(std::string_view key) const;

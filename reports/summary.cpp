@@ -4,6 +4,7 @@
 #include <cmath>
 #include <map>
 #include <set>
+#include <string_view>
 #include <tuple>
 #include <utility>
 
@@ -11,9 +12,49 @@ namespace voronaut {
 
 namespace {
 
+// Runs of digits compare as numbers, everything else by bytes.
+bool natural_less(std::string_view a, std::string_view b) {
+  const auto is_digit = [](char c) { return c >= '0' && c <= '9'; };
+  const auto digits = [&](std::string_view text) {
+    const auto end = std::find_if_not(text.begin(), text.end(), is_digit);
+    return text.substr(0, static_cast<std::size_t>(end - text.begin()));
+  };
+  while (!a.empty() && !b.empty()) {
+    if (is_digit(a.front()) && is_digit(b.front())) {
+      const std::string_view run_a = digits(a);
+      const std::string_view run_b = digits(b);
+      const std::string_view value_a =
+          run_a.substr(std::min(run_a.find_first_not_of('0'), run_a.size()));
+      const std::string_view value_b =
+          run_b.substr(std::min(run_b.find_first_not_of('0'), run_b.size()));
+      if (value_a != value_b) {
+        return value_a.size() != value_b.size() ? value_a.size() < value_b.size()
+                                                : value_a < value_b;
+      }
+      a.remove_prefix(run_a.size());
+      b.remove_prefix(run_b.size());
+    } else if (a.front() != b.front()) {
+      return a.front() < b.front();
+    } else {
+      a.remove_prefix(1);
+      b.remove_prefix(1);
+    }
+  }
+  return a.size() < b.size();
+}
+
+struct InNaturalOrder {
+  bool operator()(const SummaryGroup& a, const SummaryGroup& b) const {
+    if (natural_less(a.scenario_group, b.scenario_group)) {
+      return true;
+    }
+    return !natural_less(b.scenario_group, a.scenario_group) && a < b;
+  }
+};
+
 using Trials = std::vector<const RunRecord*>;
 // Trials of one group by planner; std::map so that the order is that of the names.
-using Grouped = std::map<SummaryGroup, std::map<std::string, Trials>>;
+using Grouped = std::map<SummaryGroup, std::map<std::string, Trials>, InNaturalOrder>;
 
 template <class Value>
 std::vector<double> collect(const Trials& trials, Value&& value, bool reached_only = false) {

@@ -68,12 +68,12 @@ struct SummaryConfig {
 };
 
 struct Summary {
-  std::vector<PlannerSummary> groups;    // ordered by group, then planner
+  std::vector<PlannerSummary> groups;    // by scenario group, vehicle, regulator, planner
   std::vector<PlannerSummary> totals;    // pooled, where a vehicle flew more than one group
   std::vector<PlannerPairing> pairings;  // per group, and pooled where there are totals
 };
 
-// O(resamples * records).
+// Scenario groups are in natural order: "bearing-45" before "bearing-135". O(resamples * records).
 Summary summarise(const std::vector<RunRecord>& records, const SummaryConfig& config = {});
 
 }  // namespace voronaut

@@ -38,7 +38,8 @@ struct TraceFrame {
   int mode = -1;                          // index into Trace::modes, -1: none
   int plan = -1;                          // index into Trace::plans, -1: none
   std::size_t known_points = 0;           // how many of Trace::known_points were known by then
-  std::vector<float> range_m;  // the scan taken now; empty: none. >= max range: no return
+  // The scan taken now, rightmost beam first; empty: none. Beyond (0, max range): no return.
+  std::vector<float> range_m;
 };
 
 struct Trace {

@@ -143,7 +143,13 @@ export class Replay {
   private async open(scene: Scene, trials: Trial[], t_s: number): Promise<void> {
     const ticket = ++this.opening;
     this.setPlaying(false);
-    const traces = await Promise.all(trials.map((t) => loadTrace(this.report, t.trial_id)));
+    let traces: Trace[];
+    try {
+      traces = await Promise.all(trials.map((t) => loadTrace(this.report, t.trial_id)));
+    } catch (error) {
+      this.panelGrid.replaceChildren(`This trial cannot be replayed: ${String(error)}`);
+      return;
+    }
     if (ticket !== this.opening) return;
     this.scene = scene;
     const speedMax = traces.reduce((m, trace) => trace.frames.speed_m_s.reduce(

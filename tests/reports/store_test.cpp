@@ -1,5 +1,6 @@
 #include "voronaut/reports/store.h"
 
+#include <algorithm>
 #include <csignal>
 #include <fstream>
 
@@ -10,6 +11,7 @@
 #include <unistd.h>
 
 #include "synthetic_run.h"
+#include "voronaut/reports/figure_panels.h"
 
 namespace voronaut {
 namespace {
@@ -114,6 +116,32 @@ TEST_F(Store, KeepsTracesAndWorlds) {
   ASSERT_TRUE(store.trace(trace.trial_id));
   EXPECT_EQ(store.trace(trace.trial_id)->frames.size(), trace.frames.size());
   EXPECT_TRUE(store.trace_blob(trace.trial_id));
+}
+
+TEST_F(Store, GivesFigurePanelsPerWorld) {
+  const auto run = synthetic::make_run();
+  ResultStore store = ResultStore::create(file());
+  std::vector<std::string> ids;
+  for (const Trace& trace : run.traces) {
+    const auto record =
+        std::find_if(run.records.begin(), run.records.end(),
+                     [&](const RunRecord& r) { return r.trial_id == trace.trial_id; });
+    store.insert(*record, trace);
+    ids.push_back(trace.trial_id);
+  }
+  EXPECT_EQ(error_of([&] { figure_panels(store, ids); }),
+            "trial " + ids.front() + ": no world is stored");
+  for (const TraceWorld& world : run.worlds) {
+    store.insert_world(world);
+  }
+  const auto panels = figure_panels(store, ids);
+  ASSERT_EQ(panels.size(), run.worlds.size());
+  EXPECT_EQ(panels.front().title, "paper-0");
+  EXPECT_EQ(panels.front().tracks.size(), 3U);
+  EXPECT_EQ(panels.front().tracks.at(1).label, "as_published");
+  EXPECT_EQ(error_of([&] { figure_panels(store, {"nobody"}); }),
+            "trial nobody: no such trial is stored");
+  EXPECT_EQ(store.trace_sizes().at(ids.front()), store.trace_blob(ids.front())->size());
 }
 
 TEST_F(Store, KeepsMetaAndReplacesIt) {

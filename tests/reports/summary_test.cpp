@@ -96,6 +96,21 @@ TEST(Summary, PairsPlannersOnTheSameScenarioAndRepetition) {
   EXPECT_EQ(p.win_share_a.n, 2);
 }
 
+TEST(Summary, OrdersScenarioGroupsAsAReaderWould) {
+  std::vector<RunRecord> records;
+  for (const char* group :
+       {"bearing 135", "bearing 45", "bearing 0", "a", "bearing 045", "bearing"}) {
+    records.push_back(trial("a", group, 0, Outcome::timeout));
+    records.back().scenario_group = group;
+  }
+  std::vector<std::string> order;
+  for (const PlannerSummary& s : summarise(records).groups) {
+    order.push_back(s.group.scenario_group);
+  }
+  EXPECT_THAT(order, ::testing::ElementsAre("a", "bearing", "bearing 0", "bearing 045",
+                                            "bearing 45", "bearing 135"));
+}
+
 TEST(Summary, DoesNotDependOnTheOrderOfRecords) {
   auto run = synthetic::make_run();
   const std::string forward = summary_json(summarise(run.records));

@@ -1,7 +1,9 @@
 #include "synthetic_run.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdio>
 #include <limits>
 #include <numbers>
 #include <random>
@@ -34,7 +36,7 @@ float cast_ray(const TraceWorld& world, double x, double y, double angle) {
     const double along = (cx - x) * dx + (cy - y) * dy;
     const double across = (cx - x) * dy - (cy - y) * dx;
     if (along > 0 && std::abs(across) < r) {
-      best = std::min(best, std::max(0.0, along - std::sqrt(r * r - across * across)));
+      best = std::min(best, std::max(0.01, along - std::sqrt(r * r - across * across)));
     }
   }
   return static_cast<float>(best);
@@ -223,52 +225,60 @@ RunRecord make_record(const std::string& trial_id) {
   return record;
 }
 
+namespace {
+
+void fill_results(RunRecord& record, std::mt19937_64& engine, std::size_t planner) {
+  const auto rank = static_cast<double>(planner);
+  const bool good = uniform(engine, 0, 1) < 0.95 - 0.2 * rank;
+  constexpr std::array kBad{Outcome::collision, Outcome::timeout, Outcome::stuck,
+                            Outcome::out_of_bounds, Outcome::crash};
+  record.outcome = good ? Outcome::goal_reached : kBad[engine() % kBad.size()];
+  record.path_ratio = good ? 1.02 + uniform(engine, 0, 0.2) * (1.0 + rank) : kAbsent;
+  record.spl = good ? 1.0 / record.path_ratio : 0.0;
+  record.path_length_m = 14.2 * (good ? record.path_ratio : uniform(engine, 0.2, 1.5));
+  record.duration_s = record.path_length_m / uniform(engine, 1.0, 2.0);
+  record.clearance_min_m = record.outcome == Outcome::collision ? 0.25 : uniform(engine, 0.3, 0.8);
+  record.clearance_mean_m = record.clearance_min_m + 0.5;
+  record.speed_mean_m_s = uniform(engine, 0.8, 2.0);
+  record.speed_max_m_s = 2.5;
+  record.replans = static_cast<std::int64_t>(engine() % 40);
+  record.state_checks = 100 + static_cast<std::int64_t>(engine() % (1000 + 4000 * planner));
+  record.planning_time_us_mean = uniform(engine, 20, 200);
+  record.step_time_us_mean = record.planning_time_us_mean + 30;
+  record.reason = good ? "at rest at the goal" : "ended under way";
+}
+
+}  // namespace
+
 Run make_run(const RunConfig& config) {
   Run run;
   std::mt19937_64 engine(config.seed);
-  int number = 0;
+  const auto add_trial = [&](const std::string& group, const std::string& scenario,
+                             const TraceWorld& world, std::size_t planner, int repetition) {
+    std::array<char, 32> id{};
+    std::snprintf(id.data(), id.size(), "t%06zu", run.records.size());
+    RunRecord& record = run.records.emplace_back(make_record(id.data()));
+    record.scenario = scenario;
+    record.scenario_group = group;
+    record.world_id = world.world_id;
+    record.planner = config.planners[planner];
+    record.repetition = repetition;
+    record.seed = static_cast<std::int64_t>(engine() >> 1U);
+    fill_results(record, engine, planner);
+    if (repetition < config.traced_repetitions) {
+      const Trace& trace = run.traces.emplace_back(
+          make_trace(id.data(), world, engine(), record.outcome, config.rays));
+      record.end_x_m = trace.frames.back().x_m;
+      record.end_y_m = trace.frames.back().y_m;
+    }
+  };
   for (std::size_t g = 0; g < config.groups.size(); ++g) {
     for (int s = 0; s < config.scenarios_per_group; ++s) {
       const std::string scenario = config.groups[g] + "-" + std::to_string(s);
-      const TraceWorld& world = run.worlds.emplace_back(
-          make_world("world-" + scenario, engine(), 4 + 3 * static_cast<int>(g)));
+      run.worlds.push_back(make_world("world-" + scenario, engine(), 4 + 3 * static_cast<int>(g)));
       for (std::size_t p = 0; p < config.planners.size(); ++p) {
         for (int repetition = 0; repetition < config.repetitions; ++repetition) {
-          char id[32];
-          std::snprintf(id, sizeof id, "t%06d", number++);
-          RunRecord record = make_record(id);
-          record.scenario = scenario;
-          record.scenario_group = config.groups[g];
-          record.world_id = world.world_id;
-          record.planner = config.planners[p];
-          record.repetition = repetition;
-          record.seed = static_cast<std::int64_t>(engine() >> 1U);
-          const bool good = uniform(engine, 0, 1) < 0.95 - 0.2 * static_cast<double>(p);
-          constexpr std::array kBad{Outcome::collision, Outcome::timeout, Outcome::stuck,
-                                    Outcome::out_of_bounds, Outcome::crash};
-          record.outcome = good ? Outcome::goal_reached : kBad[engine() % kBad.size()];
-          record.path_ratio =
-              good ? 1.02 + uniform(engine, 0, 0.2) * (1.0 + static_cast<double>(p)) : kAbsent;
-          record.spl = good ? 1.0 / record.path_ratio : 0.0;
-          record.path_length_m = 14.2 * (good ? record.path_ratio : uniform(engine, 0.2, 1.5));
-          record.duration_s = record.path_length_m / uniform(engine, 1.0, 2.0);
-          record.clearance_min_m =
-              record.outcome == Outcome::collision ? 0.25 : uniform(engine, 0.3, 0.8);
-          record.clearance_mean_m = record.clearance_min_m + 0.5;
-          record.speed_mean_m_s = uniform(engine, 0.8, 2.0);
-          record.speed_max_m_s = 2.5;
-          record.replans = static_cast<std::int64_t>(engine() % 40);
-          record.state_checks = 100 + static_cast<std::int64_t>(engine() % (1000 + 4000 * p));
-          record.planning_time_us_mean = uniform(engine, 20, 200);
-          record.step_time_us_mean = record.planning_time_us_mean + 30;
-          record.reason = good ? "at rest at the goal" : "ended under way";
-          if (repetition < config.traced_repetitions) {
-            const Trace& trace = run.traces.emplace_back(
-                make_trace(id, world, engine(), record.outcome, config.rays));
-            record.end_x_m = trace.frames.back().x_m;
-            record.end_y_m = trace.frames.back().y_m;
-          }
-          run.records.push_back(std::move(record));
+          add_trial(config.groups[g], scenario, run.worlds.back(), p, repetition);
         }
       }
     }

@@ -44,7 +44,7 @@ void expect_frames_near(const TraceFrame& a, const TraceFrame& b) {
   EXPECT_EQ(a.known_points, b.known_points);
   ASSERT_EQ(a.range_m.size(), b.range_m.size());
   for (std::size_t k = 0; k < a.range_m.size(); ++k) {
-    EXPECT_NEAR(a.range_m[k], b.range_m[k], 0.005 + 1e-6);
+    ASSERT_NEAR(a.range_m[k], b.range_m[k], 0.005 + 1e-6);
   }
 }
 
