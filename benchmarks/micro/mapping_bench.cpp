@@ -1,0 +1,257 @@
+#include <algorithm>
+#include <chrono>
+#include <cstdlib>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include <benchmark/benchmark.h>
+
+#include "voronaut/benchmarks/micro/carmen_log.h"
+#include "voronaut/benchmarks/micro/measured_scan.h"
+#include "voronaut/benchmarks/micro/peers/naive_map.h"
+#include "voronaut/benchmarks/micro/peers/occupancy_grid.h"
+#include "voronaut/benchmarks/micro/workload.h"
+#include "voronaut/environments/random.h"
+#include "voronaut/planners/mapping/obstacle_base.h"
+#ifdef VORONAUT_WITH_NANOFLANN
+#include "voronaut/benchmarks/micro/peers/nanoflann_map.h"
+#endif
+#ifdef VORONAUT_WITH_OCTOMAP
+#include "voronaut/benchmarks/micro/peers/octomap_map.h"
+#endif
+#ifdef VORONAUT_WITH_PCL
+#include "voronaut/benchmarks/micro/peers/pcl_clustering.h"
+#endif
+
+// The mapping step and what a user might take instead, on the same scans. Times are per scan.
+namespace voronaut::micro {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+constexpr std::size_t kScans = 1000;
+
+double seconds_since(Clock::time_point start) {
+  return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+class OwnMap {
+ public:
+  explicit OwnMap(const ObstacleBaseConfig& config) : base_(config) {}
+  void insert(const MeasuredScan& scan) { base_.update(scan.scan); }
+  std::size_t size() const { return base_.snapshot().points().size(); }
+  const ObstacleBase& base() const { return base_; }
+
+ private:
+  ObstacleBase base_;
+};
+
+std::vector<MeasuredScan> forest_scans(std::size_t rays) {
+  ForestWalk walk({.rays = rays, .scans = kScans});
+  std::vector<MeasuredScan> scans;
+  for (std::size_t i = 0; i < kScans; ++i) scans.push_back(measured(walk.next()));
+  return scans;
+}
+
+double share_of_returns(const std::vector<MeasuredScan>& scans) {
+  std::size_t returns = 0;
+  std::size_t beams = 0;
+  for (const MeasuredScan& scan : scans) {
+    returns += scan.returns_world.size();
+    beams += scan.scan.size();
+  }
+  return static_cast<double>(returns) / static_cast<double>(beams);
+}
+
+// Maps all scans from nothing, again and again; the time is that of one scan on the average.
+template <class MakeMap>
+void map_scans(benchmark::State& state, const std::vector<MeasuredScan>& scans,
+               const MakeMap& make_map) {
+  std::size_t size = 0;
+  for (auto _ : state) {
+    auto map = make_map();
+    const Clock::time_point start = Clock::now();
+    for (const MeasuredScan& scan : scans) map.insert(scan);
+    state.SetIterationTime(seconds_since(start) / static_cast<double>(scans.size()));
+    size = map.size();
+  }
+  state.counters["share_of_returns"] = share_of_returns(scans);
+  state.counters["size"] = static_cast<double>(size);
+}
+
+template <class MakeMap>
+void register_on_forest(const std::string& name, const MakeMap& make_map) {
+  const auto run = [make_map](benchmark::State& state) {
+    map_scans(state, forest_scans(static_cast<std::size_t>(state.range(0))), make_map);
+  };
+  benchmark::RegisterBenchmark(("mapping/forest/" + name).c_str(), run)
+      ->ArgName("rays")
+      ->Arg(181)
+      ->Arg(360)
+      ->Arg(720)
+      ->UseManualTime()
+      ->Unit(benchmark::kMicrosecond);
+}
+
+// The cost of one scan of new ground after k scans.
+template <class MakeMap>
+void register_growth(const std::string& name, std::vector<std::int64_t> known_scans,
+                     const MakeMap& make_map) {
+  constexpr std::size_t kTimed = 500;
+  const auto run = [make_map](benchmark::State& state) {
+    const auto known = static_cast<std::size_t>(state.range(0));
+    ForestWalk walk({.scans = known + kTimed});
+    auto grown = make_map();
+    for (std::size_t i = 0; i < known; ++i) grown.insert(measured(walk.next()));
+    std::vector<MeasuredScan> next;
+    for (std::size_t i = 0; i < kTimed; ++i) next.push_back(measured(walk.next()));
+    for (auto _ : state) {
+      auto map = grown;
+      const Clock::time_point start = Clock::now();
+      for (const MeasuredScan& scan : next) map.insert(scan);
+      state.SetIterationTime(seconds_since(start) / kTimed);
+    }
+    state.SetComplexityN(state.range(0));
+    state.counters["size"] = static_cast<double>(grown.size());
+  };
+  auto* growth = benchmark::RegisterBenchmark(("mapping/growth/" + name).c_str(), run);
+  growth->ArgName("known_scans")->UseManualTime()->Unit(benchmark::kMicrosecond)->Complexity();
+  for (const std::int64_t k : known_scans) growth->Arg(k);
+}
+
+Bounds forest_bounds() { return {{-6, -13}, {211, 13}}; }
+
+void register_maps() {
+  const ObstacleBaseConfig config;
+  register_on_forest("voronaut", [=] { return OwnMap(config); });
+  register_on_forest("naive_full_search",
+                     [=] { return NaiveMap(config.thinning_distance_m, config.link_distance_m); });
+  register_on_forest("grid_0.1m_hits", [] { return OccupancyGrid(forest_bounds(), 0.1, false); });
+  register_on_forest("grid_0.1m_full", [] { return OccupancyGrid(forest_bounds(), 0.1, true); });
+#ifdef VORONAUT_WITH_NANOFLANN
+  register_on_forest("nanoflann_single_scan",
+                     [=] { return NanoflannClustering(config.link_distance_m); });
+#endif
+#ifdef VORONAUT_WITH_PCL
+  register_on_forest("pcl_single_scan", [=] { return PclClustering(config.link_distance_m); });
+#endif
+#ifdef VORONAUT_WITH_OCTOMAP
+  register_on_forest("octomap_0.1m_hits", [] { return OctomapMap(false); });
+  register_on_forest("octomap_0.1m_full", [] { return OctomapMap(true); });
+#endif
+  register_growth("voronaut", {1'000, 3'000, 10'000, 100'000}, [=] { return OwnMap(config); });
+  register_growth("naive_full_search", {1'000, 3'000, 10'000},
+                  [=] { return NaiveMap(config.thinning_distance_m, config.link_distance_m); });
+}
+
+void register_lidar(const std::string& data) {
+  for (const std::string name :
+       {"intel", "csail", "orebro", "seattle", "fhw", "infinite-corridor"}) {
+    const std::string path = data + "/lidar/" + name + "-corrected.log.gz";
+    const auto run = [path](benchmark::State& state) {
+      constexpr double kRangeM = 20;
+      std::vector<MeasuredScan> scans;
+      try {
+        for (const Scan& scan : read_carmen_log(path, kRangeM)) scans.push_back(measured(scan));
+      } catch (const std::exception& error) {
+        state.SkipWithError(error.what());
+        return;
+      }
+      const ObstacleBaseConfig config;
+      map_scans(state, scans, [=] { return OwnMap(config); });
+      OwnMap map(config);
+      for (const MeasuredScan& scan : scans) map.insert(scan);
+      state.counters["clusters"] = static_cast<double>(map.base().snapshot().cluster_count());
+      state.counters["scans"] = static_cast<double>(scans.size());
+    };
+    benchmark::RegisterBenchmark(("mapping/lidar/" + name).c_str(), run)
+        ->UseManualTime()
+        ->Unit(benchmark::kMicrosecond);
+  }
+}
+
+void stage_read(benchmark::State& state) {
+  const std::vector<MeasuredScan> scans = forest_scans(static_cast<std::size_t>(state.range(0)));
+  ScanReturns returns;
+  std::size_t i = 0;
+  for (auto _ : state) returns.read(scans[i++ % scans.size()].scan);
+}
+BENCHMARK(stage_read)->Name("mapping/stage/read_returns")->ArgName("rays")->Arg(181)->Arg(720);
+
+void stage_cluster(benchmark::State& state) {
+  const std::vector<MeasuredScan> scans = forest_scans(static_cast<std::size_t>(state.range(0)));
+  std::vector<ScanReturns> returns(scans.size());
+  for (std::size_t i = 0; i < scans.size(); ++i) returns[i].read(scans[i].scan);
+  const ObstacleBaseConfig config;
+  ScanClusterer clusterer(config.link_distance_m, config.thinning_distance_m);
+  std::size_t i = 0;
+  for (auto _ : state) clusterer.cluster(returns[i++ % returns.size()]);
+}
+BENCHMARK(stage_cluster)->Name("mapping/stage/cluster_scan")->ArgName("rays")->Arg(181)->Arg(720);
+
+void known_ground(benchmark::State& state) {
+  const std::vector<MeasuredScan> scans = forest_scans(static_cast<std::size_t>(state.range(0)));
+  OwnMap map({});
+  for (const MeasuredScan& scan : scans) map.insert(scan);
+  std::size_t i = 0;
+  for (auto _ : state) map.insert(scans[i++ % scans.size()]);
+}
+BENCHMARK(known_ground)->Name("mapping/stage/known_ground")->ArgName("rays")->Arg(181)->Arg(720);
+
+// Places beside the curve, where the map knows something, and 2 m segments from there.
+void checks(benchmark::State& state, bool motion) {
+  const auto scans = static_cast<std::size_t>(state.range(0));
+  ForestWalk walk({.scans = scans});
+  ObstacleBase base({});
+  for (std::size_t i = 0; i < scans; ++i) base.update(walk.next());
+  Random random(5);
+  std::vector<Segment> motions;
+  const double length_m = 0.18 * static_cast<double>(scans);
+  while (motions.size() < 4096) {
+    const Vec2 a{random.uniform(0, length_m), random.uniform(-6, 6)};
+    Vec2 way{random.normal(), random.normal()};
+    motions.push_back({a, a + 2 * way / way.norm()});
+  }
+  const ObstacleSnapshot known = base.snapshot();
+  std::size_t i = 0;
+  std::size_t clear = 0;
+  for (auto _ : state) {
+    const Segment& next = motions[i++ % motions.size()];
+    clear +=
+        motion ? known.swept_disc_is_clear(next.a, next.b, 0.3) : known.disc_is_clear(next.a, 0.3);
+  }
+  state.SetComplexityN(state.range(0));
+  state.counters["share_clear"] = static_cast<double>(clear) / static_cast<double>(i);
+}
+BENCHMARK_CAPTURE(checks, state, false)
+    ->Name("checks/state")
+    ->ArgName("known_scans")
+    ->Arg(1'000)
+    ->Arg(10'000)
+    ->Complexity();
+BENCHMARK_CAPTURE(checks, motion, true)
+    ->Name("checks/motion_2m")
+    ->ArgName("known_scans")
+    ->Arg(1'000)
+    ->Arg(10'000)
+    ->Complexity();
+
+void sense(benchmark::State& state) {
+  ForestWalk walk({.rays = static_cast<std::size_t>(state.range(0)), .scans = 100'000});
+  for (auto _ : state) benchmark::DoNotOptimize(walk.next().range_m.data());
+}
+BENCHMARK(sense)->Name("sensing/forest_scan")->ArgName("rays")->Arg(181)->Arg(720);
+
+}  // namespace
+}  // namespace voronaut::micro
+
+int main(int argc, char** argv) {
+  voronaut::micro::register_maps();
+  if (const char* data = std::getenv("VORONAUT_DATA")) voronaut::micro::register_lidar(data);
+  benchmark::Initialize(&argc, argv);
+  if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 2;
+  benchmark::RunSpecifiedBenchmarks();
+  benchmark::Shutdown();
+  return 0;
+}
