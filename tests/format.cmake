@@ -1,6 +1,6 @@
 # Every source as clang-format would write it: cmake -DSOURCE_DIR=... -DCLANG_FORMAT=... -P format.cmake
 set(sources "")
-foreach(folder environments dynamics planners benchmarks reports tests examples)
+foreach(folder environments dynamics planners benchmarks reports tests)
   file(GLOB_RECURSE found "${SOURCE_DIR}/${folder}/*.h" "${SOURCE_DIR}/${folder}/*.cpp")
   list(APPEND sources ${found})
 endforeach()

@@ -11,6 +11,9 @@ namespace {
 // Steps of the search for the free way: a fortieth of the range is finer than the points are apart.
 constexpr int kBisections = 6;
 
+// The braking law is a fit to the full model: go this much slower than it allows.
+constexpr double kMargin = 0.9;
+
 bool in_view(const Scan& scan, const Eigen::Vector2d& towards) {
   if (scan.beams->full_circle()) return true;
   const Eigen::Vector2d right_most = scan.direction_world(0);

@@ -1,0 +1,25 @@
+# Installs this build into a folder of its own, builds the consumer against it and runs it:
+# cmake -DBUILD_DIR=... -DSOURCE_DIR=... -DCXX=... -P consume.cmake
+set(prefix "${BUILD_DIR}/install-test/prefix")
+set(consumer "${BUILD_DIR}/install-test/consumer")
+file(REMOVE_RECURSE "${prefix}" "${consumer}")
+
+function(run)
+  execute_process(COMMAND ${ARGN} RESULT_VARIABLE failed OUTPUT_VARIABLE text ERROR_VARIABLE text)
+  if(failed)
+    list(JOIN ARGN " " command)
+    message(FATAL_ERROR "${command}\n${text}")
+  endif()
+  set(output "${text}" PARENT_SCOPE)
+endfunction()
+
+run("${CMAKE_COMMAND}" --install "${BUILD_DIR}" --prefix "${prefix}")
+run("${CMAKE_COMMAND}" -S "${SOURCE_DIR}/tests/install" -B "${consumer}" -G Ninja
+    -DCMAKE_BUILD_TYPE=Release -DCMAKE_CXX_COMPILER=${CXX} -DCMAKE_PREFIX_PATH=${prefix})
+run("${CMAKE_COMMAND}" --build "${consumer}")
+run("${consumer}/consumer")
+message(STATUS "${output}")
+run("${prefix}/bin/voronaut" list suites)
+if(NOT output MATCHES "quadrotor-paper")
+  message(FATAL_ERROR "the installed program does not find the suites that ship:\n${output}")
+endif()

@@ -1,0 +1,39 @@
+#include <iostream>
+
+#include <ompl/base/spaces/RealVectorStateSpace.h>
+#include <ompl/geometric/SimpleSetup.h>
+#include <ompl/tools/benchmark/Benchmark.h>
+
+#include "voronaut/planners/catalog.h"
+
+namespace ob = ompl::base;
+
+// A disc in the middle of a square, known to OMPL through a validity checker alone.
+int main() {
+  auto space = std::make_shared<ob::RealVectorStateSpace>(2);
+  space->setBounds(-5, 5);
+  ompl::geometric::SimpleSetup setup(space);
+  setup.setStateValidityChecker([](const ob::State* state) {
+    const auto* p = state->as<ob::RealVectorStateSpace::StateType>();
+    return p->values[0] * p->values[0] + p->values[1] * p->values[1] > 1;
+  });
+  ob::ScopedState<> start(space), goal(space);
+  start[0] = start[1] = -4;
+  goal[0] = goal[1] = 4;
+  setup.setStartAndGoalStates(start, goal, 0.2);
+
+  const auto planners = voronaut::PlannerCatalog::built_in();
+  ompl::tools::Benchmark benchmark(setup, "consumer");
+  for (const char* name : {"ReactiveVoronoi", "PotentialField", "RRTConnect"}) {
+    benchmark.addPlanner(planners.find(name)->make(setup.getSpaceInformation()));
+  }
+  benchmark.benchmark(ompl::tools::Benchmark::Request(2.0, 512.0, 1, 0.01, false));
+  bool all_solved = true;
+  for (const auto& planner : benchmark.getRecordedExperimentData().planners) {
+    for (const auto& run : planner.runs) {
+      std::cout << planner.name << " solved " << run.at("solved BOOLEAN") << "\n";
+      all_solved = all_solved && run.at("solved BOOLEAN") == "1";
+    }
+  }
+  return all_solved ? 0 : 1;
+}
