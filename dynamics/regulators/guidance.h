@@ -19,7 +19,7 @@ double desired_climb_m_s(const Setpoint& setpoint, const VehicleState& state, do
 
 // Angle from one heading to another (unit vectors), in (-2.4, 2.4), positive to the left, without a
 // transcendental: s (1 + s^2/24) with s = 2 sin(e/2), the first two terms of 2 asin(s/2). Short by
-// 1e-4 of itself at 0.5 rad, 0.8 % at 90 deg, 26 % at 180 deg; exactly opposite headings turn left.
+// 3e-4 of itself at 0.5 rad, 2.5 % at 90 deg, 26 % at 180 deg; exactly opposite headings turn left.
 double heading_error_rad(const Eigen::Vector2d& from, const Eigen::Vector2d& to);
 
 // Turning rate asked for: gain times the heading error plus the setpoint's feedforward, clipped.

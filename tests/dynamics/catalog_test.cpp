@@ -1,0 +1,113 @@
+#include "voronaut/dynamics/catalog.h"
+
+#include <initializer_list>
+#include <set>
+#include <stdexcept>
+#include <string>
+#include <utility>
+
+#include <gmock/gmock.h>
+
+namespace voronaut::testing {
+namespace {
+
+using ::testing::AllOf;
+using ::testing::HasSubstr;
+
+std::string message_of(const auto& call) {
+  try {
+    call();
+  } catch (const std::invalid_argument& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST(Catalog, MakesEveryVehicleWithItsRegulator) {
+  for (const std::string& name : vehicle_names()) {
+    const VehicleSpec spec = vehicle(name);
+    EXPECT_EQ(spec.name, name);
+    EXPECT_GT(spec.clearance_min_m, spec.body_radius_m);
+    EXPECT_NE(make_model(spec.model), nullptr);
+    EXPECT_NE(make_regulator(regulator(spec.regulator), spec), nullptr);
+    EXPECT_GT(stopping_law(regulator(spec.regulator), spec).a_m_s2, 0);
+  }
+}
+
+TEST(Catalog, KnowsTheBodies) {
+  EXPECT_EQ(vehicle("quadrotor").body_radius_m, 0.25);
+  EXPECT_EQ(vehicle("quadrotor").clearance_min_m, 0.40);
+  EXPECT_EQ(vehicle("quadrotor").limits.max_speed_m_s, 2.5);
+  EXPECT_EQ(vehicle("quadrotor_props").body_radius_m, 0.39);
+  EXPECT_EQ(vehicle("quadrotor_props").clearance_min_m, 0.5);
+  EXPECT_EQ(vehicle("ideal").body_radius_m, 0.25);
+}
+
+TEST(Catalog, ListsTheKnownNamesWhenOneIsUnknown) {
+  EXPECT_THAT(message_of([] { vehicle("quadcopter"); }),
+              AllOf(HasSubstr("unknown vehicle 'quadcopter'"), HasSubstr("quadrotor_props")));
+  EXPECT_THAT(message_of([] { regulator("pid"); }),
+              AllOf(HasSubstr("unknown regulator 'pid'"), HasSubstr("pd_rate")));
+}
+
+TEST(Catalog, RefusesARegulatorThatDrivesAnotherModel) {
+  EXPECT_THAT(message_of([] { make_regulator(regulator("pd_rate"), vehicle("ideal")); }),
+              AllOf(HasSubstr("'pd_rate'"), HasSubstr("'ideal'")));
+  EXPECT_THAT(message_of([] { make_regulator(regulator("ideal"), vehicle("quadrotor")); }),
+              AllOf(HasSubstr("'ideal'"), HasSubstr("'quadrotor'")));
+  EXPECT_THROW(make_regulator(regulator("paper_literal"), vehicle("ideal")), std::invalid_argument);
+}
+
+TEST(Catalog, GivesTheStoppingLawOfTheGainsAndTheTilt) {
+  const StoppingLaw law = stopping_law(regulator("pd_rate"), vehicle("quadrotor"));
+  EXPECT_NEAR(law.k_1_s, 1.786, 1e-3);
+  EXPECT_NEAR(law.a_m_s2, 3.5706, 1e-4);
+}
+
+// Visits every key once and holds the default against the bounds.
+struct DefaultsAreInBounds {
+  std::set<std::string> keys;
+
+  void fresh(const std::string& key) { EXPECT_TRUE(keys.insert(key).second) << key; }
+  void number(const char* key, double& value, double low, double high) {
+    fresh(key);
+    EXPECT_GE(value, low) << key;
+    EXPECT_LE(value, high) << key;
+  }
+  void count(const char* key, int& value, int low, int high) {
+    fresh(key);
+    EXPECT_GE(value, low) << key;
+    EXPECT_LE(value, high) << key;
+  }
+  void flag(const char* key, bool&) { fresh(key); }
+  void text(const char* key, std::string&) { fresh(key); }
+  template <class Enum>
+  void choice(const char* key, Enum& value,
+              std::initializer_list<std::pair<const char*, Enum>> choices) {
+    fresh(key);
+    bool known = false;
+    for (const auto& [name, choice] : choices) known = known || choice == value;
+    EXPECT_TRUE(known) << key;
+  }
+};
+
+TEST(Catalog, HasDefaultsWithinTheBoundsOfEveryConfig) {
+  for (const std::string& name : vehicle_names()) {
+    VehicleSpec spec = vehicle(name);
+    DefaultsAreInBounds body;
+    spec.visit(body);
+    EXPECT_EQ(body.keys.count("max_speed_m_s"), 1);
+    DefaultsAreInBounds model;
+    std::visit([&](auto& config) { config.visit(model); }, spec.model);
+    EXPECT_FALSE(model.keys.empty());
+  }
+  for (const std::string& name : regulator_names()) {
+    RegulatorConfig any = regulator(name);
+    DefaultsAreInBounds keys;
+    std::visit([&](auto& config) { config.visit(keys); }, any);
+    EXPECT_EQ(keys.keys.count("speed_profile"), 1);
+  }
+}
+
+}  // namespace
+}  // namespace voronaut::testing
