@@ -6,6 +6,7 @@
 #include "voronaut/planners/ompl_planners.h"
 #include "voronaut/planners/potential_field/potential_field.h"
 #include "voronaut/planners/reactive_voronoi/reactive_voronoi.h"
+#include "voronaut/planners/voronoi/voronoi_roadmap.h"
 
 namespace voronaut {
 namespace {
@@ -24,6 +25,10 @@ PlannerCatalog PlannerCatalog::built_in() {
   catalog.add({"ReactiveVoronoi",
                "the papers' planner: past obstacles on the left, on the right, between them",
                PlannerTraits{.plans_on_every_scan = true}, make<ReactiveVoronoi>});
+  catalog.add(
+      {"VoronoiRoadmap",
+       "the Voronoi diagram of what is known: complete at its clearance, proves \"no path\"",
+       PlannerTraits{}, make<VoronoiRoadmap>});
   for (PlannerEntry& entry : ompl_planners()) catalog.add(std::move(entry));
   return catalog;
 }
