@@ -12,6 +12,8 @@ template <class... Fs>
 struct Overloaded : Fs... {
   using Fs::operator()...;
 };
+template <class... Fs>
+Overloaded(Fs...) -> Overloaded<Fs...>;  // clang before 17 does not deduce it by itself
 
 [[noreturn]] void throw_unknown(const std::string& kind, const std::string& name,
                                 const std::vector<std::string>& known) {
