@@ -75,7 +75,7 @@ std::vector<std::string> outcome_row(const PlannerSummary& s) {
           fixed(s.clearance_min_m, 2),
           fixed(s.speed_mean_median_m_s.value, 2),
           fixed(s.duration_median_s.value, 1),
-          fixed(s.planning_time_us_median.value, 0),
+          fixed(s.planning_time_us_median.value, s.planning_time_us_median.value < 10 ? 1 : 0),
           other_outcomes(s)};
 }
 

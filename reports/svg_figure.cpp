@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <string_view>
 
+#include "voronaut/reports/figure_extent.h"
 #include "voronaut/reports/report_data.h"
 
 namespace voronaut {
@@ -218,9 +219,9 @@ class Figure {
   // Width and height in px, scale included.
   std::pair<double, double> panel(const FigurePanel& panel, double left, double top) {
     const TraceWorld& w = panel.world;
-    const double side_m =
-        std::max({w.bounds_max.x_m - w.bounds_min.x_m, w.bounds_max.y_m - w.bounds_min.y_m, 1e-9});
-    const View view{left, top, config_.panel_px / side_m, w.bounds_min, w.bounds_max};
+    const auto [minimum, maximum] = extent_of(panel);
+    const double side_m = std::max({maximum.x_m - minimum.x_m, maximum.y_m - minimum.y_m, 1e-9});
+    const View view{left, top, config_.panel_px / side_m, minimum, maximum};
     world(view, w);
     if (config_.known && !panel.tracks.empty()) {
       known(view, panel.tracks.front().trace);

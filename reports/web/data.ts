@@ -116,6 +116,12 @@ export function byName(a: string, b: string): number {
   return a.localeCompare(b, "en", { numeric: true });
 }
 
+type Flown = { vehicle: string; regulator: string };
+
+export function byVehicle(a: Flown, b: Flown): number {
+  return byName(a.vehicle, b.vehicle) || byName(a.regulator, b.regulator);
+}
+
 function distinct(values: string[]): string[] {
   return [...new Set(values)].sort(byName);
 }
@@ -143,6 +149,8 @@ export function readReport(json: string): Report {
     worlds: new Map(payload.worlds.map((w) => [w.world_id, w])),
     planners: distinct(trials.map((t) => t.planner)),
     groups: distinct(trials.map((t) => t.scenario_group)),
-    vehicles: distinct(trials.map(vehicleOf)),
+    vehicles: [...new Map(trials.map((t) => [vehicleOf(t), t])).entries()]
+      .sort(([, a], [, b]) => byVehicle(a, b))
+      .map(([name]) => name),
   };
 }

@@ -35,34 +35,45 @@ function header(report: Report): HTMLElement {
   for (const wanted of kHeadlineFacts) {
     const found = manifestEntries(report.manifest)
       .find(([path, value]) => path.split(".").pop()?.replace(/^git_/, "") === wanted && value.length < 120);
-    if (found) facts.push([wanted, found[1]]);
+    if (found) facts.push([wanted, wanted === "commit" ? found[1].slice(0, 12) : found[1]]);
   }
   return el("header", {}, el("h1", { id: "title" }, el("bdi", {}, report.title)),
     el("div", { class: "facts" }, ...facts.map(([name, value]) =>
       el("span", {}, `${name} `, el("b", {}, el("bdi", {}, value))))));
 }
 
+// Vehicles are compared with their like only: one set of plots for each.
 function distributions(report: Report, palette: Palette, filter: Filter): HTMLElement {
-  const kept = report.trials.filter((t) => (!filter.group || t.scenario_group === filter.group) &&
-    (!filter.vehicle || vehicleOf(t) === filter.vehicle));
+  const vehicles = report.vehicles.filter((v) => !filter.vehicle || v === filter.vehicle);
+  return el("div", {}, ...vehicles.flatMap((vehicle, i) => [
+    vehicles.length > 1 ? el("h3", { class: "vehicle" }, vehicle) : null,
+    plotsOf(report, palette, filter.group, vehicle, i === 0 ? "" : `-${i + 1}`),
+  ]));
+}
+
+function plotsOf(report: Report, palette: Palette, group: string, vehicle: string,
+                 suffix: string): HTMLElement {
+  const kept = report.trials.filter((t) => (!group || t.scenario_group === group) &&
+    vehicleOf(t) === vehicle);
   const samples: Sample[] = report.planners
     .map((planner) => ({ planner, trials: kept.filter((t) => t.planner === planner) }))
     .filter((s) => s.trials.length > 0);
   const value = (column: string) => (t: Trial): number => t[column] as number;
   return el("div", { class: "plots" },
-    ecdfPlot("path-ratio", "How long are the paths?", "path ratio: flown / shortest possible",
-      samples, value("path_ratio"), palette, 1),
-    ecdfPlot("duration", "How long does it take?", "time to goal in s (simulated)", samples,
+    ecdfPlot(`path-ratio${suffix}`, "How long are the paths?",
+      "path ratio: flown / shortest possible", samples, value("path_ratio"), palette, 1),
+    ecdfPlot(`duration${suffix}`, "How long does it take?", "time to goal in s (simulated)", samples,
       value("duration_s"), palette, 0),
-    stripPlot("clearance", "How close do they come?",
+    stripPlot(`clearance${suffix}`, "How close do they come?",
       "smallest clearance of a trial in m, centre to surface", "", samples,
       value("clearance_min_m"), palette, false),
-    stripPlot("speed", "How fast do they fly?", "mean speed of a trial in m/s", "", samples,
+    stripPlot(`speed${suffix}`, "How fast do they fly?", "mean speed of a trial in m/s", "", samples,
       value("speed_mean_m_s"), palette, false),
-    stripPlot("planning-time", "What does planning cost?",
+    stripPlot(`planning-time${suffix}`, "What does planning cost?",
       "mean planning time per scan in \u00B5s (logarithmic)", "Measured on this machine.", samples,
       value("planning_time_us_mean"), palette, true),
-    stripPlot("state-checks", "How much work is it?", "state checks per trial (logarithmic)",
+    stripPlot(`state-checks${suffix}`, "How much work is it?",
+      "state checks per trial (logarithmic)",
       "Counted, the same on every machine; a planner that asks for none has no row.", samples,
       (t) => Number(t.state_checks), palette, true));
 }

@@ -1,5 +1,5 @@
 // Who arrives, how well, and who beats whom.
-import { byName, Estimate, PlannerPairing, PlannerSummary, Rate, Report, vehicleOf } from "./data";
+import { byName, byVehicle, Estimate, PlannerPairing, PlannerSummary, Rate, Report, vehicleOf } from "./data";
 import { el, fixed, nameOf, percent, svg } from "./dom";
 import { outcomeSign, outcomeWords, Palette } from "./palette";
 import { Column, table } from "./table";
@@ -106,7 +106,7 @@ function detailTable(rows: PlannerSummary[], manyVehicles: boolean, palette: Pal
     estimate("replans\nmedian", "per trial", "replans_median", 0),
     estimate("state checks\nmedian", "per trial", "state_checks_median", 0),
     estimate("planning\n\u00B5s per scan", "median of the trials' means; measured, not deterministic",
-      "planning_time_us_median", 0),
+      "planning_time_us_median", 1),
     estimate("whole step\n\u00B5s", "median of the trials' means; measured, not deterministic",
       "step_time_us_median", 0),
     { heading: "ended otherwise", text: true, cell: otherOutcomes,
@@ -145,7 +145,7 @@ export function overview(report: Report, palette: Palette, filter: Filter): HTML
     (!filter.vehicle || vehicleOf(key) === filter.vehicle) &&
     (!filter.group || key.scenario_group === filter.group);
   const rows = all.filter(keep).sort((a, b) => Number(a.all_scenarios) - Number(b.all_scenarios) ||
-    byName(a.scenario_group, b.scenario_group) || byName(vehicleOf(a), vehicleOf(b)) ||
+    byName(a.scenario_group, b.scenario_group) || byVehicle(a, b) ||
     byName(a.planner, b.planner));
   const manyVehicles = report.vehicles.length > 1 && !filter.vehicle;
   const pairings = report.summary.pairings.filter(keep);
@@ -155,7 +155,7 @@ export function overview(report: Report, palette: Palette, filter: Filter): HTML
   const widest = pairings.filter((p) => p.all_scenarios || filter.group ||
     !report.summary.totals.some((t) => vehicleOf(t) === vehicleOf(p)));
   const pairedAway = pairings.length - widest.length;
-  return el("div", {}, ...matrices, detailTable(rows, manyVehicles, palette),
+  return el("div", {}, el("div", { class: "beside" }, ...matrices), detailTable(rows, manyVehicles, palette),
     widest.length > 0 && el("details", { open: "" }, el("summary", {}, "Who beats whom"),
       el("p", { class: "note" }, "Reaching the goal beats not reaching it; of two that reached it " +
         "the shorter path wins, unless the path ratios are within 1 %; two failures tie. " +

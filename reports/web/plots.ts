@@ -25,10 +25,18 @@ function frame(label: string): SVGElement {
   return svg("svg", { viewBox: `0 0 ${kWidth} ${kHeight}`, role: "img", "aria-label": label });
 }
 
+// On a logarithmic axis a line per digit would be a thicket: powers of ten, if there are two of them.
+function gridValues(x: any): number[] {
+  const ticks: number[] = x.ticks(7);
+  const powers = x.base ? ticks.filter((v) => Math.abs(Math.log10(v) % 1) < 1e-9) : ticks;
+  return powers.length >= 2 ? powers : ticks;
+}
+
 function drawAxes(root: SVGElement, x: any, y: any, xName: string, yName: string, xTicks: any): void {
   const inner = kHeight - kMargin.bottom;
   select(root).append("g").attr("class", "grid").attr("transform", `translate(0,${inner})`)
-    .call(axisBottom(x).ticks(7).tickSize(kMargin.top - inner).tickFormat("" as any))
+    .call(axisBottom(x).tickValues(gridValues(x)).tickSize(kMargin.top - inner)
+      .tickFormat("" as any))
     .select(".domain").remove();
   select(root).append("g").attr("class", "axis").attr("transform", `translate(0,${inner})`)
     .call(xTicks ?? axisBottom(x).ticks(7));
@@ -64,7 +72,7 @@ export function figureOf(
 // Share of ALL trials that reached the goal with at most this value: failures are a plateau below 1.
 export function ecdfPlot(
   id: string, title: string, xName: string, samples: Sample[], value: Value, palette: Palette,
-  from: number | null
+  from: number
 ): HTMLElement {
   const curves = samples.map((s) => ({
     ...s,
@@ -72,7 +80,7 @@ export function ecdfPlot(
       .sort(ascending),
   }));
   const all = curves.flatMap((c) => c.values).sort(ascending);
-  const low = from ?? (all[0] ?? 0);
+  const low = Math.min(from, all[0] ?? from);
   const last = all[all.length - 1] ?? low + 1;
   // A few stragglers must not squeeze the rest: they are counted where the axis ends.
   const limit = Math.min(last, Math.max(2 * ((quantile(all, 0.98) ?? last) - low) + low, low + 0.1));

@@ -1,11 +1,11 @@
 // Up to four trials of one scene on one clock.
-import { kGoal, Report, Trial } from "./data";
+import { kGoal, Report, Trial, World } from "./data";
 import { button, checkbox, el, fixed, nameOf, select } from "./dom";
 import { readReplayLink, replayLink, ReplayPlace } from "./links";
 import { outcomeSign, outcomeWords, Palette } from "./palette";
 import { Ink, Layers, Painter, readInk } from "./replay_canvas";
 import { frameAt, speedRamp } from "./replay_geometry";
-import { firstPerPlanner, Scene, scenesOf } from "./scene";
+import { extentOf, firstPerPlanner, Scene, scenesOf } from "./scene";
 import { kQuantities, Series, timeSeries } from "./time_series";
 import { loadTrace, Trace } from "./trace";
 
@@ -157,7 +157,8 @@ export class Replay {
     this.speedEnd.textContent = `${fixed(speedMax, 1)} m/s`;
     this.end_s = traces.reduce((m, trace) => Math.max(m, trace.frames.t_s[trace.frames.count - 1]), 0.01);
     this.slider.max = String(this.end_s);
-    this.panels = trials.map((trial, i) => this.makePanel(trial, traces[i], speedMax));
+    const extent = extentOf(scene.world, traces);
+    this.panels = trials.map((trial, i) => this.makePanel(trial, traces[i], speedMax, extent));
     this.panelGrid.replaceChildren(...this.panels.map((panel) => panel.figure));
     this.series = kQuantities
       .map((q) => timeSeries(q, trials, traces, this.end_s, this.palette, (t) => this.seek(t)))
@@ -167,7 +168,8 @@ export class Replay {
     this.seek(t_s);
   }
 
-  private makePanel(trial: Trial, trace: Trace, speedMax: number): Panel {
+  private makePanel(trial: Trial, trace: Trace, speedMax: number,
+                    extent: World["bounds"]): Panel {
     const canvas = el("canvas", { role: "img" });
     const readout = el("dl");
     const good = trial.outcome === kGoal;
@@ -179,7 +181,7 @@ export class Replay {
       canvas, readout);
     const world = (this.scene as Scene).world;
     return { trial, trace, canvas, readout, figure,
-      painter: new Painter(canvas, world, trace, trial, speedMax) };
+      painter: new Painter(canvas, world, trace, trial, speedMax, extent) };
   }
 
   private showChoices(): void {

@@ -35,9 +35,9 @@ export class Painter {
 
   constructor(private readonly canvas: HTMLCanvasElement, private readonly world: World,
               private readonly trace: Trace, private readonly trial: Trial,
-              private readonly speedMax: number) {
+              private readonly speedMax: number, private readonly extent: World["bounds"]) {
     this.context = canvas.getContext("2d") as CanvasRenderingContext2D;
-    const [x0, y0, x1, y1] = world.bounds;
+    const [x0, y0, x1, y1] = extent;
     canvas.style.aspectRatio = `${x1 - x0} / ${y1 - y0}`;
   }
 
@@ -56,7 +56,7 @@ export class Painter {
   // Metres, y up, 1 px of the page = 1 / scale metres.
   private begin(ink: Ink): void {
     const { canvas, context } = this;
-    const [x0, , x1, y1] = this.world.bounds;
+    const [x0, , x1, y1] = this.extent;
     const ratio = window.devicePixelRatio || 1;
     const width = canvas.clientWidth || 320;
     const height = canvas.clientHeight || 320;

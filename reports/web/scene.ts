@@ -1,5 +1,7 @@
-import { byName, Report, Trial, vehicleOf, World } from "./data";
-import { hasTrace } from "./trace";
+import { byName, byVehicle, Report, Trial, vehicleOf, World } from "./data";
+import { hasTrace, Trace } from "./trace";
+
+const kMargin_m = 1;
 
 // Trials that can be drawn into one picture: one vehicle in one true world.
 export interface Scene {
@@ -34,8 +36,36 @@ export function scenesOf(report: Report): Scene[] {
       byName(a.planner, b.planner));
   }
   return list.sort((a, b) => byName(a.scenario_group, b.scenario_group) ||
-    byName(a.scenario, b.scenario) || byName(a.vehicle, b.vehicle) ||
+    byName(a.scenario, b.scenario) || byVehicle(a.trials[0], b.trials[0]) ||
     Number(a.trials[0].repetition) - Number(b.trials[0].repetition));
+}
+
+// What is worth showing: everything that is there, where the ways went, and a metre around it, but not
+// the empty rest of the bounds.
+export function extentOf(world: World, traces: Trace[]): World["bounds"] {
+  const xs = [world.start[0], world.goal[0]];
+  const ys = [world.start[1], world.goal[1]];
+  const flat = (points: ArrayLike<number>): void => {
+    for (let i = 0; i + 1 < points.length; i += 2) {
+      xs.push(points[i]);
+      ys.push(points[i + 1]);
+    }
+  };
+  for (const [x, y, r] of world.circles) flat([x - r, y - r, x + r, y + r]);
+  [...world.polygons, ...world.segments].forEach(flat);
+  const around = kMargin_m;
+  const low = (values: number[]): number => values.reduce((a, b) => Math.min(a, b)) - around;
+  const high = (values: number[]): number => values.reduce((a, b) => Math.max(a, b)) + around;
+  const bounds = world.bounds;
+  const inside = [Math.max(bounds[0], low(xs)), Math.max(bounds[1], low(ys)),
+    Math.min(bounds[2], high(xs)), Math.min(bounds[3], high(ys))];
+  for (const { frames } of traces) {
+    inside[0] = Math.min(inside[0], frames.x_m.reduce((a, b) => Math.min(a, b), Infinity) - around);
+    inside[1] = Math.min(inside[1], frames.y_m.reduce((a, b) => Math.min(a, b), Infinity) - around);
+    inside[2] = Math.max(inside[2], frames.x_m.reduce((a, b) => Math.max(a, b), -Infinity) + around);
+    inside[3] = Math.max(inside[3], frames.y_m.reduce((a, b) => Math.max(a, b), -Infinity) + around);
+  }
+  return inside as World["bounds"];
 }
 
 // One trial per planner: its first in this scene.

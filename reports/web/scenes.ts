@@ -3,7 +3,7 @@ import { kGoal, Report, Trial, World } from "./data";
 import { button, el, fixed, nameOf, saveText, select, svg } from "./dom";
 import { outcomeSign, outcomeWords, Palette } from "./palette";
 import { replayLink } from "./links";
-import { firstPerPlanner, Scene, scenesOf } from "./scene";
+import { extentOf, firstPerPlanner, Scene, scenesOf } from "./scene";
 import { standaloneSvg } from "./take_away";
 import { hasTrace, loadTrace, Trace } from "./trace";
 
@@ -60,7 +60,9 @@ function drawWorld(root: SVGElement, world: World, view: View): void {
   for (const segment of world.segments) {
     root.append(svg("path", { class: "wall", d: view.path(segment, false) }));
   }
-  root.append(svg("rect", { class: "bounds", x: 0, y: 0, width: view.width, height: view.height }));
+  const [x0, y0, x1, y1] = world.bounds;
+  root.append(svg("path", { class: "bounds",
+    d: view.path([x0, y0, x1, y0, x1, y1, x0, y1], true) }));
 }
 
 function drawPlaces(root: SVGElement, world: World, view: View): void {
@@ -109,12 +111,12 @@ function drawTrack(root: SVGElement, trial: Trial, trace: Trace, view: View, pal
 export async function sceneDrawing(
   report: Report, scene: Scene, trials: Trial[], mapOf: string, palette: Palette
 ): Promise<SVGElement> {
-  const view = new View(scene.world.bounds, kSide);
+  const traces = await Promise.all(trials.map((t) => loadTrace(report, t.trial_id)));
+  const view = new View(extentOf(scene.world, traces), kSide);
   const root = svg("svg", { class: "world", role: "img",
     viewBox: `-4 -4 ${view.width + 8} ${view.height + 26}`,
     "aria-label": `${scene.scenario}: true world, what was known, and ${trials.length} ways` });
   drawWorld(root, scene.world, view);
-  const traces = await Promise.all(trials.map((t) => loadTrace(report, t.trial_id)));
   const known = traces[Math.max(0, trials.findIndex((t) => t.planner === mapOf))];
   if (known) {
     for (const hull of known.hulls) {
