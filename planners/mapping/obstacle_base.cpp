@@ -36,6 +36,7 @@ const ObstacleBaseConfig& checked(const ObstacleBaseConfig& config) {
 ObstacleBase::ObstacleBase(const ObstacleBaseConfig& config)
     : config_(checked(config)),
       clusterer_(config.link_distance_m, config.thinning_distance_m),
+      returns_(clusterer_.listing_distance_m()),
       points_(config.thinning_distance_m),
       clusters_(config.merge_distance_m) {}
 

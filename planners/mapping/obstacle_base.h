@@ -97,8 +97,8 @@ class ObstacleBase {
 
   ObstacleBaseConfig config_;
   UpdateReport report_;
-  ScanReturns returns_;
   ScanClusterer clusterer_;
+  ScanReturns returns_;
   PointIndex points_;
   ClusterBase clusters_;
   std::vector<std::uint32_t> points_at_version_{0};

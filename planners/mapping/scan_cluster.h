@@ -12,8 +12,9 @@ using ClusterId = std::uint32_t;
 
 // One cluster of the latest scan, its points in the order of their bearing (right to left). The
 // points are returns of this scan, known ones included, thinned along the scan: a return closer
-// than the thinning distance to the one listed before it in the scan is left out. Where the fan is
-// a full circle there is no rightmost beam: a cluster then begins behind its widest gap in bearing.
+// than the thinning distance (or half of the link distance, if that is less) to the one listed
+// before it is left out. Where the fan is a full circle there is no rightmost beam: a cluster then
+// begins behind its widest gap in bearing.
 struct ScanCluster {
   std::span<const Vec2> points_world;  // valid until the next scan
   // Begins at the right edge of the field of view (at the first beam that measured): its true

@@ -17,7 +17,8 @@ double box_distance_sq(const Bounds& a, const Bounds& b) {
 }  // namespace
 
 ScanClusterer::ScanClusterer(double link_distance_m, double thinning_distance_m)
-    : link_distance_m_(link_distance_m), thinning_distance_m_(thinning_distance_m) {}
+    : link_distance_m_(link_distance_m),
+      listing_distance_m_(std::min(thinning_distance_m, link_distance_m / 2)) {}
 
 void ScanClusterer::cluster(const ScanReturns& returns) {
   split_into_runs(returns);
@@ -25,52 +26,38 @@ void ScanClusterer::cluster(const ScanReturns& returns) {
   list_clusters(returns);
 }
 
-// A return is listed if it begins a run or is not closer than the thinning distance to the one
-// listed before it.
+// Only a listed return can begin a run: the others are closer than half the link distance to the
+// listed one before them, and so are those between.
 void ScanClusterer::split_into_runs(const ScanReturns& returns) {
   const std::span<const Vec2> points = returns.points_world();
+  const std::span<const std::uint32_t> listed = returns.listed();
   const double link_sq = link_distance_m_ * link_distance_m_;
-  const double thinning_sq = thinning_distance_m_ * thinning_distance_m_;
-  // Two returns that are closer than the thinning distance to the same one are then surely linked.
-  const bool thinned_is_linked = 2 * thinning_distance_m_ < link_distance_m_;
+  const auto count = static_cast<std::uint32_t>(listed.size());
   runs_.clear();
-  listed_.clear();
-  const auto count = static_cast<std::uint32_t>(points.size());
-  if (count > listed_.size()) {
-    listed_.resize(count);
+  if (count > listed_world_.size()) {
     listed_world_.resize(count);
     gathered_world_.resize(count);
   }
-  std::uint32_t listed = 0;
-  Vec2 last_listed = Vec2::Constant(std::numeric_limits<double>::infinity());
-  for (std::uint32_t i = 0; i < count; ++i) {
-    const Vec2& p = points[i];
-    const bool thinned = distance_sq(p, last_listed) < thinning_sq;
-    if (thinned && thinned_is_linked) continue;
-    const bool linked = i > 0 && distance_sq(p, points[i - 1]) < link_sq;
-    if (linked && thinned) continue;
-    if (!linked) {
-      if (!runs_.empty()) {
-        runs_.back().end = i;
-        runs_.back().listed_end = listed;
-      }
-      runs_.push_back({i, 0, listed, 0, 0, {}});
+  for (std::uint32_t k = 0; k < count; ++k) {
+    const std::uint32_t i = listed[k];
+    listed_world_[k] = points[i];
+    if (k > 0 && distance_sq(points[i], points[i - 1]) < link_sq) continue;
+    if (k > 0) {
+      runs_.back().end = i;
+      runs_.back().listed_end = k;
     }
-    listed_[listed] = i;
-    listed_world_[listed] = p;
-    ++listed;
-    last_listed = p;
+    runs_.push_back({i, 0, k, 0, 0, {}});
   }
   if (runs_.empty()) return;
-  runs_.back().end = count;
-  runs_.back().listed_end = listed;
+  runs_.back().end = static_cast<std::uint32_t>(points.size());
+  runs_.back().listed_end = count;
 }
 
-// Listed returns decide nearly always: every return is closer than the thinning distance to a
-// listed one of its run.
+// Listed returns decide mostly: every return is closer than the listing distance to a listed one
+// of its run.
 bool ScanClusterer::runs_linked(const Run& a, const Run& b, std::span<const Vec2> points) const {
   const double link_sq = link_distance_m_ * link_distance_m_;
-  const double reach_m = link_distance_m_ + 2 * thinning_distance_m_;
+  const double reach_m = link_distance_m_ + 2 * listing_distance_m_;
   const double reach_sq = reach_m * reach_m;
   if (box_distance_sq(a.box, b.box) > reach_sq) return false;
   bool undecided = false;
@@ -83,7 +70,7 @@ bool ScanClusterer::runs_linked(const Run& a, const Run& b, std::span<const Vec2
     }
   }
   if (!undecided) return false;
-  const double near_box_m = link_distance_m_ + thinning_distance_m_;
+  const double near_box_m = link_distance_m_ + listing_distance_m_;
   for (std::uint32_t i = a.begin; i < a.end; ++i) {
     const Vec2& p = points[i];
     if (box_distance_sq({p, p}, b.box) > near_box_m * near_box_m) continue;
@@ -149,7 +136,7 @@ std::size_t ScanClusterer::gather(std::uint32_t cluster, std::size_t begin,
   for (const Run& run : runs_) {
     if (run.cluster != cluster) continue;
     for (std::uint32_t i = run.listed_begin; i < run.listed_end; ++i) {
-      if (listed_[i] < first_return_[cluster]) ++before_first;
+      if (returns.listed()[i] < first_return_[cluster]) ++before_first;
       gathered_world_[end++] = listed_world_[i];
     }
   }

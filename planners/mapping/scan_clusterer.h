@@ -27,6 +27,11 @@ class ScanClusterer {
 
   ScanClusterer(double link_distance_m, double thinning_distance_m);
 
+  // How returns must be thinned for it: at the thinning distance, and not at more than half of the
+  // link distance, so that a return left out is linked to those around it.
+  double listing_distance_m() const { return listing_distance_m_; }
+
+  // `returns` are thinned at listing_distance_m().
   void cluster(const ScanReturns& returns);
 
   std::span<const Run> runs() const { return runs_; }
@@ -49,9 +54,8 @@ class ScanClusterer {
   std::uint32_t behind_widest_gap(std::uint32_t cluster, const ScanReturns& returns) const;
 
   double link_distance_m_;
-  double thinning_distance_m_;
+  double listing_distance_m_;
   std::vector<Run> runs_;
-  std::vector<std::uint32_t> listed_;  // returns that clusters list
   std::vector<Vec2> listed_world_;
   std::vector<Vec2> gathered_world_;  // of clusters that are not one run
   std::vector<ScanCluster> clusters_;

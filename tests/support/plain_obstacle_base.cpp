@@ -94,7 +94,7 @@ const UpdateReport& PlainObstacleBase::update(const Scan& scan) {
   report_ = {};
   scan_clusters_.clear();
   listed_world_.clear();
-  const double thinning_sq = config_.thinning_distance_m * config_.thinning_distance_m;
+  const double listing_m = std::min(config_.thinning_distance_m, config_.link_distance_m / 2);
   const double link_sq = config_.link_distance_m * config_.link_distance_m;
 
   // Returns, what represents them, and which of them a scan cluster lists.
@@ -120,8 +120,8 @@ const UpdateReport& PlainObstacleBase::update(const Scan& scan) {
     const std::size_t known_points = points_.size();
     representative.push_back(represent(p, representative.empty() ? kNone : representative.back()));
     stored.push_back(points_.size() > known_points);
-    listed.push_back(returned.empty() || !((p - returned.back()).squaredNorm() < link_sq) ||
-                     !((p - last_listed).squaredNorm() < thinning_sq));
+    listed.push_back(returned.empty() ||
+                     !((p - last_listed).squaredNorm() < listing_m * listing_m));
     if (listed.back()) last_listed = p;
     returned.push_back(p);
     beam.push_back(i);
