@@ -67,6 +67,8 @@ OutputFolder OutputFolder::prepare(const Place& place, const SuiteSource& source
                                    const SuiteConfig& suite, std::ostream& notes) {
   const std::string identity = suite_identity(suite);
   const fs::path database = place.folder / kDatabase;
+  if (fs::exists(place.folder) && !fs::is_directory(place.folder))
+    throw std::invalid_argument(place.folder.string() + ": is no folder");
   if (fs::exists(database)) settle_mismatch(place, compare(database, identity), notes);
   fs::create_directories(place.folder);
   OutputFolder folder(place.folder, ResultStore::create(database));

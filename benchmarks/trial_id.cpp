@@ -19,11 +19,7 @@ std::string section(const std::string& name, const Config& config) {
 
 template <class... Configs>
 std::string section(const std::string& name, const std::variant<Configs...>& config) {
-  return std::visit(
-      [&](const auto& chosen) {
-        return section(name + "[" + std::to_string(config.index()) + "]", chosen);
-      },
-      config);
+  return std::visit([&](const auto& chosen) { return section(name, chosen); }, config);
 }
 
 ConfigEntries task_entries(const TrialSpec& spec) {

@@ -25,5 +25,6 @@ ExitCode execute(const CheckOptions& options, const CommandContext& context);
 ExitCode execute(const ReplayOptions& options, const CommandContext& context);
 ExitCode execute(const DigestOptions& options, const CommandContext& context);
 ExitCode execute(const ReportOptions& options, const CommandContext& context);
+ExitCode execute(const PlotOptions& options, const CommandContext& context);
 
 }  // namespace voronaut

@@ -48,6 +48,7 @@ struct Commands {
     add_folder(digest_command, digest.folder);
     report_command = add_command(app, "report", "Write results.csv and report.html again");
     add_folder(report_command, report.folder);
+    add_plot(app);
   }
 
   void add_run(CLI::App& app) {
@@ -73,6 +74,13 @@ struct Commands {
     replay_command->add_option("TRIAL_ID", replay.trial_id, "Or the beginning of it")->required();
   }
 
+  void add_plot(CLI::App& app) {
+    plot_command = add_command(app, "plot", "Draw trials as an SVG figure, one panel per world");
+    add_folder(plot_command, plot.folder);
+    plot_command->add_option("TRIAL_ID", plot.trial_ids, "Or their beginnings")->required();
+    plot_command->add_option("-o,--output", plot.out, "SVG file")->required();
+  }
+
   Options chosen() const {
     if (run_command->parsed()) return run;
     if (summary_command->parsed()) return summary;
@@ -80,7 +88,8 @@ struct Commands {
     if (check_command->parsed()) return check;
     if (replay_command->parsed()) return replay;
     if (digest_command->parsed()) return digest;
-    return report;
+    if (report_command->parsed()) return report;
+    return plot;
   }
 
   RunOptions run;
@@ -90,6 +99,7 @@ struct Commands {
   ReplayOptions replay;
   DigestOptions digest;
   ReportOptions report;
+  PlotOptions plot;
 
   CLI::App* run_command = nullptr;
   CLI::App* summary_command = nullptr;
@@ -98,6 +108,7 @@ struct Commands {
   CLI::App* replay_command = nullptr;
   CLI::App* digest_command = nullptr;
   CLI::App* report_command = nullptr;
+  CLI::App* plot_command = nullptr;
 };
 
 }  // namespace

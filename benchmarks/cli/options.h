@@ -47,8 +47,14 @@ struct ReportOptions {
   std::string folder;
 };
 
+struct PlotOptions {
+  std::string folder;
+  std::vector<std::string> trial_ids;  // or their beginnings
+  std::string out;                     // an SVG file
+};
+
 using Options = std::variant<RunOptions, SummaryOptions, ListOptions, CheckOptions, ReplayOptions,
-                             DigestOptions, ReportOptions>;
+                             DigestOptions, ReportOptions, PlotOptions>;
 
 // 0: done. 1: ran, but something failed. 2: bad input.
 enum class ExitCode { success = 0, failure = 1, bad_input = 2 };
