@@ -154,7 +154,7 @@ std::shared_ptr<const ConfigTree> parse_yaml(const std::string& text, const std:
     if (!parser.HandleNextDocument(builder) || !builder.root() ||
         builder.root()->kind == ConfigTree::Kind::nothing)
       throw ConfigError(file, 0, "", "the file is empty");
-    const auto root = builder.root();
+    auto root = builder.root();
     TreeBuilder second(file);
     if (parser.HandleNextDocument(second))
       throw ConfigError(file, second.root() ? second.root()->line : 0, "",

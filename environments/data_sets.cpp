@@ -32,7 +32,9 @@ std::vector<Listed> list_barn(const std::string& folder) {
                    table.number(row, "start_y", -kFar, kFar)};
     world.goal = {table.number(row, "goal_x", -kFar, kFar),
                   table.number(row, "goal_y", -kFar, kFar)};
-    worlds.push_back({world.name, [world, file = folder + "/obstacles/world_" + number + ".csv"] {
+    std::string file = folder;
+    file.append("/obstacles/world_").append(number).append(".csv");
+    worlds.push_back({world.name, [world, file] {
                         DataSetWorld read = world;
                         read.shapes.circles = read_circles_csv(file);
                         return read;
@@ -45,14 +47,16 @@ std::vector<Listed> list_dodgedrone(const std::string& folder) {
   const auto table = CsvTable::read(folder + "/index.csv", {"env"});
   std::vector<Listed> worlds;
   for (std::size_t row = 0; row < table.rows(); ++row) {
-    const std::string environment = table.text(row, "env");
-    worlds.push_back({"dodgedrone_" + environment, [folder, environment] {
-                        DataSetWorld read;
-                        read.name = "dodgedrone_" + environment;
-                        read.bounds = {{-2, -12}, {20, 12}};
-                        read.goal = {18, 0};
-                        read.shapes.circles =
-                            read_circles_csv(folder + "/" + environment + "/slice_z1.csv");
+    const std::string& environment = table.text(row, "env");
+    DataSetWorld world;
+    world.name = "dodgedrone_" + environment;
+    world.bounds = {{-2, -12}, {20, 12}};
+    world.goal = {18, 0};
+    std::string file = folder;
+    file.append("/").append(environment).append("/slice_z1.csv");
+    worlds.push_back({world.name, [world, file] {
+                        DataSetWorld read = world;
+                        read.shapes.circles = read_circles_csv(file);
                         return read;
                       }});
   }
@@ -73,12 +77,25 @@ std::string folder_of(const std::string& name, const DataLocation& data, const C
   const std::string remedy = "give --data DIR or set VORONAUT_DATA";
   if (data.folder.empty())
     throw place.error("'" + name + "' lies in the data folder, which is not known: " + remedy);
-  const std::string folder = (std::filesystem::path(data.folder) / name).string();
+  std::string folder = (std::filesystem::path(data.folder) / name).string();
   std::error_code ignored;
   if (!std::filesystem::is_directory(folder, ignored))
     throw place.error("no folder " + in_quotes(folder) + " (data folder from " + data.origin +
                       "; " + remedy + ")");
   return folder;
+}
+
+const Listed& find_listed(const std::vector<Listed>& listed, const std::string& name,
+                          const ConfigNode& place) {
+  std::vector<std::string> names;
+  names.reserve(listed.size());
+  for (const Listed& world : listed) {
+    if (world.name == name) return world;
+    names.push_back(world.name);
+  }
+  const auto meant = nearest_name(name, names);
+  throw place.error("no world " + in_quotes(name) + " among the " + std::to_string(names.size()) +
+                    " of this data set" + (meant ? " (did you mean '" + *meant + "'?)" : ""));
 }
 
 }  // namespace
@@ -91,29 +108,18 @@ std::vector<std::string> data_set_names() {
 
 std::vector<DataSetWorld> read_data_set(const std::string& name, const DataSetSelection& selection,
                                         const DataLocation& data, const ConfigNode& place) {
+  const auto set = std::find_if(data_sets().begin(), data_sets().end(),
+                                [&name](const DataSet& one) { return one.name == name; });
+  if (set == data_sets().end())
+    throw place.error("no data set " + in_quotes(name) + allowed_names(name, data_set_names()));
+  const std::vector<Listed> listed = set->list(folder_of(name, data, place));
   std::vector<DataSetWorld> worlds;
-  for (const DataSet& set : data_sets()) {
-    if (set.name != name) continue;
-    const std::vector<Listed> listed = set.list(folder_of(name, data, place));
-    const auto limit = static_cast<std::size_t>(selection.limit);
-    if (selection.pick.empty()) {
-      for (const Listed& world : listed)
-        if (limit == 0 || worlds.size() < limit) worlds.push_back(world.read());
-      continue;
-    }
-    for (const std::string& picked : selection.pick) {
-      const auto found = std::find_if(listed.begin(), listed.end(),
-                                      [&](const Listed& world) { return world.name == picked; });
-      if (found == listed.end()) {
-        std::vector<std::string> names;
-        for (const Listed& world : listed) names.push_back(world.name);
-        const auto meant = nearest_name(picked, names);
-        throw place.error("no world " + in_quotes(picked) + " among the " +
-                          std::to_string(names.size()) + " of '" + name + "'" +
-                          (meant ? " (did you mean '" + *meant + "'?)" : ""));
-      }
-      worlds.push_back(found->read());
-    }
+  for (const std::string& picked : selection.pick)
+    worlds.push_back(find_listed(listed, picked, place).read());
+  if (!selection.pick.empty()) return worlds;
+  for (const Listed& world : listed) {
+    if (selection.limit > 0 && worlds.size() == static_cast<std::size_t>(selection.limit)) break;
+    worlds.push_back(world.read());
   }
   return worlds;
 }

@@ -21,7 +21,7 @@ Vec2 read_point(const ConfigNode& node) {
 
 Bounds read_bounds(const ConfigNode& node) {
   const std::vector<ConfigNode> corners = node.items(2, "[[xmin, ymin], [xmax, ymax]]");
-  const Bounds bounds{read_point(corners[0]), read_point(corners[1])};
+  Bounds bounds{read_point(corners[0]), read_point(corners[1])};
   if (!(bounds.min.array() < bounds.max.array()).all())
     throw node.error("expected [[xmin, ymin], [xmax, ymax]] with xmin < xmax and ymin < ymax");
   return bounds;
@@ -57,7 +57,7 @@ Polygon read_polygon(const ConfigNode& node) {
 
 Segment read_segment(const ConfigNode& node) {
   const std::vector<ConfigNode> ends = node.items(2, "[[x, y], [x, y]]");
-  const Segment segment{read_point(ends[0]), read_point(ends[1])};
+  Segment segment{read_point(ends[0]), read_point(ends[1])};
   if (segment.a == segment.b) throw node.error("both ends are the same point");
   return segment;
 }
@@ -85,7 +85,7 @@ void require_plain(const std::string& name, const ConfigNode& place) {
 }
 
 TaskConfig read_task(const ConfigNode& entry, const std::string& default_name,
-                     std::vector<std::string> other_keys) {
+                     const std::vector<std::string>& other_keys) {
   TaskConfig task;
   task.name = default_name;
   read_into(entry, task, other_keys);
@@ -118,7 +118,7 @@ Specs read_fixed(const ConfigNode& entry, const std::string& source, const std::
   const Bounds bounds = read_bounds(entry.child("bounds"));
   const auto world = std::make_shared<const World>(bounds, std::move(shapes));
   const auto placed = [&](const char* key) {
-    const Vec2 p = read_point(entry.child(key));
+    Vec2 p = read_point(entry.child(key));
     const std::string problem = placement_problem(*world, p);
     if (!problem.empty()) throw entry.child(key).error(problem);
     return p;
@@ -130,7 +130,7 @@ Specs read_fixed(const ConfigNode& entry, const std::string& source, const std::
 
 // The file that a key names.
 std::string existing_file(const ConfigNode& node) {
-  const std::string path = node.beside(node.text());
+  std::string path = node.beside(node.text());
   std::error_code ignored;
   if (!std::filesystem::is_regular_file(path, ignored))
     throw node.error("no file " + in_quotes(path));

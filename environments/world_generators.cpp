@@ -41,8 +41,10 @@ void require_ordered_ranges(const ConfigNode& node, const ConfigEntries& entries
     high_key.replace(at, 4, "_max");
     for (const auto& [key, high] : entries) {
       if (key != high_key || *parse_number(low) <= *parse_number(high)) continue;
-      throw node.find(high_key).value_or(node).error(low_key + " (" + low + ") is above " +
-                                                     high_key + " (" + high + ")");
+      std::string problem = low_key;
+      problem.append(" (").append(low).append(") is above ");
+      problem.append(high_key).append(" (").append(high).append(")");
+      throw node.find(high_key).value_or(node).error(problem);
     }
   }
 }

@@ -58,7 +58,8 @@ WorldDraw draw_world(const SpiralConfig& config, Random& random) {
   std::vector<Vec2> corners = {Vec2::Zero()};
   Vec2 along = Vec2::UnitX();
   for (int arm = 0; arm < config.arms; ++arm) {
-    corners.push_back(corners.back() + (arm / 2 + 1) * corridor_m * along);
+    const int corridors = arm / 2 + 1;
+    corners.push_back(corners.back() + corridors * corridor_m * along);
     along = left_of(along);
   }
   GeneratedWorld world;
@@ -97,6 +98,7 @@ WorldDraw draw_world(const EnclosedGoalConfig& config, Random& random) {
   GeneratedWorld world;
   world.goal = {config.distance_m, 0};
   std::vector<Vec2> ring;
+  ring.reserve(static_cast<std::size_t>(corners) + 1);
   for (int i = 0; i < corners; ++i)
     ring.push_back(world.goal +
                    radius_m * unit_vector(first_rad + 2 * std::numbers::pi * i / corners));

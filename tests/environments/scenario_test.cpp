@@ -155,9 +155,10 @@ TEST(DataSets, GiveOneScenarioForEachWorld) {
   EXPECT_EQ(picked[0].name(), "dodgedrone_hard_1");
   EXPECT_EQ(picked[0].instantiate(0).goal_world, Vec2(18, 0));
 
-  EXPECT_EQ(error_of("dataset: barn\npick: [barn_02]", location),
-            "pillar.yaml:1: key 'dataset': no world 'barn_02' among the 2 of 'barn' (did you mean "
-            "'barn_020'?)");
+  EXPECT_EQ(
+      error_of("dataset: barn\npick: [barn_02]", location),
+      "pillar.yaml:1: key 'dataset': no world 'barn_02' among the 2 of this data set (did you mean "
+      "'barn_020'?)");
   EXPECT_EQ(error_of("dataset: barn\npick: [barn_001]\nlimit: 1", location),
             "pillar.yaml:3: key 'limit': cannot stand beside 'pick'");
   EXPECT_EQ(error_of("name: x\ndataset: barn", location),
