@@ -48,7 +48,7 @@ int check(const std::string& self) {
     return kSkipped;
   }
   int above = 0;
-  std::printf("%-24s %12s %12s   per\n", "kernel", "instructions", "limit");
+  std::printf("%-24s %12s %8s %8s   per\n", "kernel", "instructions", "limit", "goal");
   for (const CountedKernel& kernel : counted_kernels()) {
     const std::string output = output_of(
         "valgrind --tool=callgrind --callgrind-out-file=/dev/null "
@@ -64,8 +64,9 @@ int check(const std::string& self) {
     const double each = collected / operations;
     const bool within = each <= kernel.limit_instructions;
     above += within ? 0 : 1;
-    std::printf("%-24s %12.1f %12.0f   %s%s\n", kernel.name.c_str(), each,
-                kernel.limit_instructions, kernel.operation.c_str(), within ? "" : "   ABOVE");
+    std::printf("%-24s %12.1f %8.0f %8.0f   %s%s\n", kernel.name.c_str(), each,
+                kernel.limit_instructions, kernel.goal_instructions, kernel.operation.c_str(),
+                within ? "" : "   ABOVE");
     std::fflush(stdout);
   }
   return above > 0 ? 1 : 0;

@@ -69,12 +69,13 @@ void ObstacleBase::represent_returns() {
   const double thinning_m = config_.thinning_distance_m;
   const double thinning_sq = thinning_m * thinning_m;
   const std::span<const Vec2> returns = returns_.points_world();
-  representatives_.resize(returns.size());
+  if (returns.size() > representatives_.size()) representatives_.resize(returns.size());
   Representative* change = representatives_.data();
   Vec2 current = Vec2::Constant(std::numeric_limits<double>::infinity());
   std::size_t follower = 0;
-  for (std::uint32_t i = 0; i < returns.size(); ++i) {
-    const Vec2& p = returns[i];
+  const Vec2* const begin = returns.data();
+  for (const Vec2* next = begin; next != begin + returns.size(); ++next) {
+    const Vec2& p = *next;
     if (distance_sq(p, current) < thinning_sq) continue;
     PointId point = followed_by_[follower];
     bool unknown = false;
@@ -89,9 +90,9 @@ void ObstacleBase::represent_returns() {
     }
     current = points_[point];
     follower = std::size_t{point} + 1;
-    *change++ = {i, point, unknown};
+    *change++ = {static_cast<std::uint32_t>(next - begin), point, unknown};
   }
-  representatives_.resize(static_cast<std::size_t>(change - representatives_.data()));
+  representative_count_ = static_cast<std::size_t>(change - representatives_.data());
 }
 
 // Stage 3: which clusters of the scan have stored points in common with known clusters, or with
@@ -104,7 +105,7 @@ void ObstacleBase::join_scan_clusters(PointId first_new) {
   for (std::uint32_t i = 0; i < count; ++i) joined_to_[i] = i;
 
   const Representative* next = representatives_.data();
-  const Representative* const end = next + representatives_.size();
+  const Representative* const end = next + representative_count_;
   for (const ScanClusterer::Run& run : clusterer_.runs()) {
     // A run may begin with the representative of the run before it.
     if (next == end || next->from_return != run.begin) {

@@ -107,7 +107,8 @@ class ObstacleBase {
   std::vector<PointId> followed_by_{PointIndex::kNone};
 
   // Scratch of one update, kept so that a scan without news allocates nothing.
-  std::vector<Representative> representatives_;
+  std::vector<Representative> representatives_;  // the first representative_count_ are in use
+  std::size_t representative_count_ = 0;
   std::vector<NewPoint> new_points_;
   std::vector<std::uint32_t> joined_to_;    // of each scan cluster: an earlier one, or itself
   std::vector<ClusterId> known_cluster_;    // of each scan cluster: the first known one it meets

@@ -22,7 +22,7 @@ ScanClusterer::ScanClusterer(double link_distance_m, double thinning_distance_m)
 
 void ScanClusterer::cluster(const ScanReturns& returns) {
   split_into_runs(returns);
-  link_runs(returns.points_world());
+  link_runs(returns);
   list_clusters(returns);
 }
 
@@ -53,9 +53,10 @@ void ScanClusterer::split_into_runs(const ScanReturns& returns) {
   runs_.back().listed_end = count;
 }
 
-// Listed returns decide mostly: every return is closer than the listing distance to a listed one
-// of its run.
-bool ScanClusterer::runs_linked(const Run& a, const Run& b, std::span<const Vec2> points) const {
+// Listed returns decide mostly. Each stands for the returns up to the next listed one, all closer
+// than the listing distance to it: where two are apart by little more than the link distance,
+// these are compared.
+bool ScanClusterer::runs_linked(const Run& a, const Run& b, const ScanReturns& returns) const {
   const double link_sq = link_distance_m_ * link_distance_m_;
   const double reach_m = link_distance_m_ + 2 * listing_distance_m_;
   const double reach_sq = reach_m * reach_m;
@@ -70,19 +71,28 @@ bool ScanClusterer::runs_linked(const Run& a, const Run& b, std::span<const Vec2
     }
   }
   if (!undecided) return false;
-  const double near_box_m = link_distance_m_ + listing_distance_m_;
-  for (std::uint32_t i = a.begin; i < a.end; ++i) {
-    const Vec2& p = points[i];
-    if (box_distance_sq({p, p}, b.box) > near_box_m * near_box_m) continue;
-    for (std::uint32_t j = b.begin; j < b.end; ++j) {
-      if (distance_sq(p, points[j]) < link_sq) return true;
+  for (std::uint32_t k = a.listed_begin; k < a.listed_end; ++k) {
+    for (std::uint32_t l = b.listed_begin; l < b.listed_end; ++l) {
+      if (distance_sq(listed_world_[k], listed_world_[l]) > reach_sq) continue;
+      for (const Vec2& p : represented(a, k, returns)) {
+        for (const Vec2& q : represented(b, l, returns)) {
+          if (distance_sq(p, q) < link_sq) return true;
+        }
+      }
     }
   }
   return false;
 }
 
+std::span<const Vec2> ScanClusterer::represented(const Run& run, std::uint32_t listed,
+                                                 const ScanReturns& returns) const {
+  const std::uint32_t begin = returns.listed()[listed];
+  const std::uint32_t end = listed + 1 < run.listed_end ? returns.listed()[listed + 1] : run.end;
+  return returns.points_world().subspan(begin, end - begin);
+}
+
 // Leaves in each run the number of its cluster, counted in the order of the first runs.
-void ScanClusterer::link_runs(std::span<const Vec2> points) {
+void ScanClusterer::link_runs(const ScanReturns& returns) {
   const auto count = static_cast<std::uint32_t>(runs_.size());
   const auto root = [this](std::uint32_t run) {
     while (runs_[run].cluster != run) run = runs_[run].cluster;
@@ -94,7 +104,7 @@ void ScanClusterer::link_runs(std::span<const Vec2> points) {
     for (std::uint32_t i = 0; i < j; ++i) {
       const std::uint32_t a = root(i);
       const std::uint32_t b = root(j);
-      if (a != b && runs_linked(runs_[i], runs_[j], points))
+      if (a != b && runs_linked(runs_[i], runs_[j], returns))
         runs_[std::max(a, b)].cluster = std::min(a, b);
     }
   }

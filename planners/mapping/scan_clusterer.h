@@ -47,8 +47,10 @@ class ScanClusterer {
   std::span<const Vec2> listed_world(const Run& run) const {
     return {listed_world_.data() + run.listed_begin, run.listed_end - run.listed_begin};
   }
-  void link_runs(std::span<const Vec2> points);
-  bool runs_linked(const Run& a, const Run& b, std::span<const Vec2> points) const;
+  void link_runs(const ScanReturns& returns);
+  bool runs_linked(const Run& a, const Run& b, const ScanReturns& returns) const;
+  std::span<const Vec2> represented(const Run& run, std::uint32_t listed,
+                                    const ScanReturns& returns) const;
   void list_clusters(const ScanReturns& returns);
   std::size_t gather(std::uint32_t cluster, std::size_t begin, const ScanReturns& returns);
   std::uint32_t behind_widest_gap(std::uint32_t cluster, const ScanReturns& returns) const;
