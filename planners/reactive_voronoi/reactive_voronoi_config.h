@@ -10,7 +10,7 @@ struct ReactiveVoronoiConfig {
   // Which way the increment of an extreme point goes.
   enum class Offset {
     axis,           // (x + g, y - g) or (x - g, y + g), as printed: across the way only at 45 deg
-    line_of_sight,  // across the line of sight to the point, as long as the published one
+    line_of_sight,  // across the line of sight to the point, at least as long
   };
   // What the first and the last point of an obstacle are.
   enum class Extremes {

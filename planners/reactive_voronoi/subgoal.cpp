@@ -25,6 +25,18 @@ double turn_from(const Vec2& reference, const Vec2& v) {
   return (y < 0 ? -2 : 2) - y / size;
 }
 
+// How far across the line of sight the subgoal lies. The way to a point s aside of another at
+// distance d passes that one at d s / sqrt(d^2 + s^2): s = sqrt(2) margin, the published length,
+// keeps the margin from d = sqrt(2) margin on, closer ones need more.
+double sideways_m(double distance_m, double margin_m) {
+  constexpr double kMost = 10;  // margins: as good as straight across
+  const double published_m = std::sqrt(2.0) * margin_m;
+  if (distance_m >= published_m) return published_m;
+  const double tangent_sq = distance_m * distance_m - margin_m * margin_m;
+  if (tangent_sq <= 0) return kMost * margin_m;
+  return std::min(kMost * margin_m, margin_m * distance_m / std::sqrt(tangent_sq));
+}
+
 }  // namespace
 
 double distance_to_points_m(const Vec2& p, std::span<const Vec2> points) {
@@ -53,7 +65,7 @@ Vec2 bypass_subgoal(const RelevantObstacle& obstacle, Side side, const Vec2& veh
   const Vec2 sight = extreme - vehicle;
   Vec2 increment(-margin_m, margin_m);
   if (config.offset == Config::Offset::line_of_sight && sight.squaredNorm() > 0)
-    increment = std::sqrt(2.0) * margin_m * left_of(sight.normalized());
+    increment = sideways_m(sight.norm(), margin_m) * left_of(sight.normalized());
   const std::array<Vec2, 2> candidate{extreme + increment, extreme - increment};
   const double remote_0_m = distance_to_points_m(candidate[0], obstacle.points_world);
   const double remote_1_m = distance_to_points_m(candidate[1], obstacle.points_world);

@@ -21,7 +21,8 @@ Vec2 extreme_point(const RelevantObstacle& obstacle, Side side, const Vec2& vehi
 // "The increment of coordinates is set (x + g, y - g) and (x - g, y + g) (where g - a safety
 // indicator). From the two obtained points the most remote point from an obstacle (x', y') is
 // chosen". With Offset::line_of_sight the same length, sqrt(2) g, is set across the line from the
-// vehicle to the extreme point; at a course of 45 deg the two are one.
+// vehicle to the extreme point, at a course of 45 deg the two are one; closer to the point than
+// that it is longer, so that the way keeps the margin.
 Vec2 bypass_subgoal(const RelevantObstacle& obstacle, Side side, const Vec2& vehicle,
                     const ReactiveVoronoiConfig& config);
 

@@ -90,15 +90,21 @@ FlightScene turned(const FlightScene& scene, const Vec2& direction) {
   return result;
 }
 
+Scan scan_of(const FlightScene& scene, const Pose2& pose, const FlightConfig& config) {
+  Scan scan;
+  scan.beams = std::make_shared<BeamFan>(BeamFan::spread(config.field_of_view_rad, config.rays));
+  scan.max_range_m = config.range_m;
+  sense(scene, pose, scan);
+  return scan;
+}
+
 Flown fly(const FlightScene& scene, const ReactiveVoronoiConfig& planner,
           const FlightConfig& config) {
   Flown flown;
   ObstacleBase base(config.mapping);
   ReactiveMemory memory;
-  Scan scan;
-  scan.beams = std::make_shared<BeamFan>(BeamFan::spread(config.field_of_view_rad, config.rays));
-  scan.max_range_m = config.range_m;
   const Vec2 heading = (scene.goal - scene.start).normalized();
+  Scan scan = scan_of(scene, {scene.start, heading}, config);
   Vehicle vehicle{scene.start};
   while (flown.duration_s < config.time_limit_s) {
     sense(scene, {vehicle.p, heading}, scan);

@@ -35,6 +35,8 @@ struct FlightConfig {
   ObstacleBaseConfig mapping;
 };
 
+Scan scan_of(const FlightScene& scene, const Pose2& pose, const FlightConfig& config);
+
 enum class FlightEnd { goal, collision, timeout };
 
 struct Flown {
