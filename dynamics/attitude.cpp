@@ -13,8 +13,7 @@ Eigen::Quaterniond level_attitude(const Eigen::Vector2d& heading_world) {
     return {w, 0, 0, 0.5 * s / w};
   }
   const double z = std::sqrt(0.5 * (1 - c));
-  return s >= 0 ? Eigen::Quaterniond(0.5 * s / z, 0, 0, z)
-                : Eigen::Quaterniond(-0.5 * s / z, 0, 0, -z);
+  return {0.5 * s / z, 0, 0, z};
 }
 
 Eigen::Quaterniond renormalised(const Eigen::Quaterniond& q) {

@@ -364,6 +364,17 @@ TEST(PdRate, RaisesTheRotorsThatThePapersPairsName) {
   EXPECT_DOUBLE_EQ(along_y[1], along_y[3]);
 }
 
+TEST(PdRate, TurnsWithNoMoreThanItsShareOfTheRotorSpeed) {
+  const QuadrotorConfig vehicle;
+  const Quadrotor model(vehicle);
+  PdRate regulator({}, vehicle, tilt_limited(20));
+  const VehicleState rest = model.at_rest({0, 0, 1}, {1, 0});
+  regulator.reset(rest);
+  const auto u = regulator.regulate({{0, 0, 1}, 1, true, {-1, 0}, 0}, rest).u;
+  const double share = 0.15 * vehicle.hover_rotor_speed_rad_s();
+  EXPECT_NEAR((u[1] + u[3] - u[0] - u[2]) / 4, share, 1e-9);
+}
+
 TEST(PdRate, RecoversFromALargeRollAtRest) {
   const QuadrotorConfig vehicle;
   const Quadrotor model(vehicle);

@@ -5,6 +5,7 @@
 #include <gmock/gmock.h>
 
 #include "closed_loop.h"
+#include "voronaut/dynamics/regulators/ideal.h"
 
 namespace voronaut::testing {
 namespace {
@@ -31,6 +32,17 @@ TEST(Ideal, TurnsLevelAtNoMoreThanItsYawRate) {
   EXPECT_LT((end.heading_world() - Eigen::Vector2d(std::cos(3.0), std::sin(3.0))).norm(), 1e-12);
   EXPECT_EQ(end.w_body.z(), 2);
   EXPECT_EQ(cos_tilt(end), 1);
+}
+
+TEST(IdealRegulator, GivesHeightItsAccelerationFirst) {
+  IdealRegulator regulator({}, {.max_acceleration_m_s2 = 3});
+  const VehicleState rest = Ideal().at_rest({0, 0, 1}, {1, 0});
+  const auto flat = regulator.regulate({{9, 0, 1}, 2.5, false, {1, 0}, 0}, rest).u;
+  EXPECT_DOUBLE_EQ(flat[0], 3);
+  // A fifth of a metre too low asks for 0.2 * 1.667 * 5.4 m/s^2 upwards.
+  const auto rising = regulator.regulate({{0, 9, 1.2}, 2.5, false, {1, 0}, 0}, rest).u;
+  EXPECT_NEAR(rising[2], 1.80036, 1e-9);
+  EXPECT_NEAR(rising[1], std::sqrt(9 - 1.80036 * 1.80036), 1e-9);
 }
 
 }  // namespace
