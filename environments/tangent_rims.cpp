@@ -123,21 +123,14 @@ TangentRims::ArcRange TangentRims::arcs_of(std::uint32_t disc) {
   return arcs_of_[disc];
 }
 
-// Clearance must hold for all but the edges that end in the centre: those block the half of the rim
-// that they lie in, exactly, so that a joint in a straight wall has no free arc.
-bool TangentRims::is_free(const Disc& disc, const Vec2& direction,
-                          const std::vector<Vec2>& own_edges) const {
-  for (const Vec2& along : own_edges) {
-    if (direction.dot(along) > 0) return false;
-  }
+bool TangentRims::is_free(const Disc& disc, const Vec2& direction) const {
   const Vec2 p = disc.center + disc.radius_m * direction;
   return world_.bounds().contains(p) && world_.index().clearance_m(p, radius_m_) >= reach_m_;
 }
 
 // Where the rim may change between free and blocked, in order, and the edges that end in its
 // centre.
-std::vector<double> TangentRims::crossings_of(const Disc& disc,
-                                              std::vector<Vec2>& own_edges) const {
+std::vector<double> TangentRims::crossings_of(const Disc& disc) const {
   std::vector<double> quarters;
   Crossings crossings(disc, quarters);
   const ShapeIndex& shapes = world_.index();
@@ -149,16 +142,14 @@ std::vector<double> TangentRims::crossings_of(const Disc& disc,
       },
       [&](std::uint32_t i) {
         const Segment& e = shapes.edges()[i];
-        const double length_m = (e.b - e.a).norm();
         const bool from_a = (e.a - disc.center).norm() <= same_point_m_;
         const bool from_b = (e.b - disc.center).norm() <= same_point_m_;
-        if (disc.radius_m > radius_m_ || length_m == 0 || from_a == from_b) {
+        if (disc.radius_m > radius_m_ || from_a == from_b) {
           crossings.with_edge(e, reach_m_);
           return;
         }
-        own_edges.push_back((from_a ? 1 : -1) * (e.b - e.a) / length_m);
-        crossings.add(left_of(own_edges.back()));
-        crossings.add(-left_of(own_edges.back()));
+        crossings.add(left_of(e.b - e.a));
+        crossings.add(left_of(e.a - e.b));
       });
   crossings.with_bounds(world_.bounds());
   std::sort(quarters.begin(), quarters.end());
@@ -167,8 +158,7 @@ std::vector<double> TangentRims::crossings_of(const Disc& disc,
 
 TangentRims::ArcRange TangentRims::find_arcs(std::uint32_t index) {
   const Disc disc = discs_[index];
-  std::vector<Vec2> own_edges;
-  std::vector<double> quarters = crossings_of(disc, own_edges);
+  std::vector<double> quarters = crossings_of(disc);
   if (quarters.empty()) quarters.push_back(0);
 
   // Between neighbouring crossings the rim is free or blocked as its middle is. Slivers between
@@ -183,7 +173,7 @@ TangentRims::ArcRange TangentRims::find_arcs(std::uint32_t index) {
     const double span = next - quarters[i];
     const bool sliver = span <= kShortestArcQuarters;
     const Vec2 middle = direction_at(quarters[i] + span / 2);
-    pieces[i] = {quarters[i], span, sliver, !sliver && is_free(disc, middle, own_edges)};
+    pieces[i] = {quarters[i], span, sliver, !sliver && is_free(disc, middle)};
   }
   // Begin behind a blocked piece, so that no free arc is cut by the seam.
   const auto blocked = std::find_if(pieces.begin(), pieces.end(),

@@ -43,8 +43,8 @@ class TangentRims {
   ArcRange arcs_of(std::uint32_t disc);
 
  private:
-  bool is_free(const Disc& disc, const Vec2& direction, const std::vector<Vec2>& own_edges) const;
-  std::vector<double> crossings_of(const Disc& disc, std::vector<Vec2>& own_edges) const;
+  bool is_free(const Disc& disc, const Vec2& direction) const;
+  std::vector<double> crossings_of(const Disc& disc) const;
   ArcRange find_arcs(std::uint32_t disc);
 
   const World& world_;

@@ -131,6 +131,41 @@ TEST(RayCaster, TangentRayTouchesTheCircle) {
   EXPECT_EQ(scan(shapes, {}, BeamFan::spread(0, 1), 5)[0], 5);
 }
 
+TEST(RayCaster, BeamsTangentToCirclesAreDecidedByTheCircleAlone) {
+  // At the origin, looking along x, nothing is rounded on the way to the formula of a single ray.
+  for (std::uint64_t seed = 1; seed <= 2000; ++seed) {
+    Random rng(seed);
+    const BeamFan fan = BeamFan::spread(seed % 2 == 0 ? kPi / 2 : 2 * kPi, 2 + rng.below(60));
+    const Vec2 beam = fan.direction_sensor[rng.below(fan.direction_sensor.size())];
+    const double radius_m = rng.uniform(0.05, 0.5);
+    const double side = seed % 4 < 2 ? radius_m : -radius_m;
+    Shapes shapes;
+    shapes.circles = {{rng.uniform(0.6, 3) * beam + side * left_of(beam), radius_m}};
+    const std::vector<double> ranges = scan(shapes, {}, fan, 5);
+    const Vec2 c = shapes.circles[0].center;
+    for (std::size_t i = 0; i < ranges.size(); ++i) {
+      const Vec2& d = fan.direction_sensor[i];
+      const double chord_sq = radius_m * radius_m - cross(d, c) * cross(d, c);
+      const bool hit = chord_sq >= 0 && d.dot(c) >= 0;
+      EXPECT_EQ(ranges[i], hit ? d.dot(c) - std::sqrt(chord_sq) : 5) << "seed " << seed;
+    }
+  }
+}
+
+TEST(RayCaster, RaysAlongAnAxisStayInTheirColumn) {
+  Shapes shapes;
+  for (int i = 0; i < 30; ++i) shapes.circles.push_back({Vec2(i, i), 0.25});
+  const ShapeIndex index(shapes);
+  for (const double zero : {0.0, -0.0}) {
+    EXPECT_EQ(cast_ray(index, Vec2(20, 0), Vec2(zero, 1), 50), 19.75);
+    EXPECT_EQ(cast_ray(index, Vec2(20, 29), Vec2(zero, -1), 50), 8.75);
+    EXPECT_EQ(cast_ray(index, Vec2(0, 20), Vec2(1, zero), 50), 19.75);
+    EXPECT_EQ(cast_ray(index, Vec2(29, 20), Vec2(-1, zero), 50), 8.75);
+    EXPECT_EQ(cast_ray(index, Vec2(20, -40), Vec2(zero, 1), 100), 59.75);
+    EXPECT_EQ(cast_ray(index, Vec2(40, -40), Vec2(zero, 1), 100), 100);
+  }
+}
+
 TEST(RayCaster, WallSeenEdgeOnIsHitAtItsNearerEnd) {
   for (const bool turned : {false, true}) {
     Shapes shapes;

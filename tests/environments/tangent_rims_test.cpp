@@ -66,6 +66,19 @@ TEST(CommonTangent, TouchesBothDiscsOnTheSidesOfTheirTurns) {
   }
 }
 
+TEST(CommonTangent, HasNoLengthWhereDiscsTouchWithinTheTolerance) {
+  for (const double gap_m : {1e-12, 0.0, -1e-12}) {
+    CommonTangent t;
+    ASSERT_TRUE(common_tangent({Vec2(0, 0), 1}, 1, {Vec2(3 + gap_m, 0), 2}, -1, kTolerance, t));
+    EXPECT_NEAR(t.length_m, 0, 1e-5);
+    EXPECT_NEAR((t.depart - Vec2(1, 0)).norm(), 0, 1e-5);
+    ASSERT_TRUE(common_tangent({Vec2(1 + gap_m, 0), 0}, 1, {Vec2(0, 0), 1}, 1, kTolerance, t));
+    EXPECT_NEAR((t.arrive - Vec2(1, 0)).norm(), 0, 1e-5);
+  }
+  CommonTangent t;
+  EXPECT_FALSE(common_tangent({Vec2(0, 0), 1}, 1, {Vec2(3 - 1e-6, 0), 2}, -1, kTolerance, t));
+}
+
 TEST(TurnedRad, IsTheAngleInTheSenseOfTheTurnAndItsBoundIsBelow) {
   EXPECT_NEAR(turned_rad(Vec2(1, 0), Vec2(0, 1), 1), std::numbers::pi / 2, 1e-15);
   EXPECT_NEAR(turned_rad(Vec2(1, 0), Vec2(0, 1), -1), 1.5 * std::numbers::pi, 1e-15);
