@@ -128,12 +128,7 @@ PointId PointIndex::nearest(const Vec2& p, double within_m) const {
   return nearest_in(reach(p, p, within_m), p, limit_sq);
 }
 
-bool PointIndex::any_closer_than(const Vec2& p, double distance_m) const {
-  // Most of the plane is told by one bit.
-  if (distance_m <= marked_reach_m_ && !(std::abs(p.x()) + std::abs(p.y()) < kLargestCoordinateM &&
-                                         cells_.is_near_marked(cells_.cell_of(p.x(), p.y())))) {
-    return false;
-  }
+bool PointIndex::any_in_reach(const Vec2& p, double distance_m) const {
   const double distance_sq = distance_m * distance_m;
   return any_point(reach(p, p, distance_m),
                    [&](PointId id) { return voronaut::distance_sq(points_[id], p) < distance_sq; });

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -34,7 +35,15 @@ class PointIndex {
   // The same for distances up to infinity (not farther than within_m): looks around p first.
   PointId nearest(const Vec2& p, double within_m) const;
 
-  bool any_closer_than(const Vec2& p, double distance_m) const;
+  bool any_closer_than(const Vec2& p, double distance_m) const {
+    // Most of the plane is told by one bit.
+    if (distance_m <= marked_reach_m_ &&
+        !(std::abs(p.x()) + std::abs(p.y()) < kLargestCoordinateM &&
+          cells_.is_near_marked(cells_.cell_of(p.x(), p.y())))) {
+      return false;
+    }
+    return any_in_reach(p, distance_m);
+  }
   // To the segment a-b: what a disc swept along it would touch.
   bool any_closer_than(const Vec2& a, const Vec2& b, double distance_m) const;
   // Square of the smallest distance from the segment a-b to a point, at most within_m squared.
@@ -49,6 +58,7 @@ class PointIndex {
   // The cells of the box around a-b grown by distance_m, as far as there are points at all.
   Reach reach(const Vec2& a, const Vec2& b, double distance_m) const;
 
+  bool any_in_reach(const Vec2& p, double distance_m) const;
   bool reaches_all_points(const Vec2& p, double distance_m) const;
   PointId nearest_in(const Reach& within, const Vec2& p, double limit_sq) const;
 

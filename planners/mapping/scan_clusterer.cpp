@@ -46,7 +46,9 @@ void ScanClusterer::split_into_runs(const ScanReturns& returns) {
       runs_.back().end = i;
       runs_.back().listed_end = k;
     }
-    runs_.push_back({i, 0, k, 0, 0, {}});
+    Run& run = runs_.emplace_back();
+    run.begin = i;
+    run.listed_begin = k;
   }
   if (runs_.empty()) return;
   runs_.back().end = static_cast<std::uint32_t>(points.size());
