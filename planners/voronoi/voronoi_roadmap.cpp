@@ -108,7 +108,12 @@ void VoronoiRoadmap::read_starts() {
 bool VoronoiRoadmap::read_goals(const ob::GoalSampleableRegion& goal,
                                 const ob::PlannerTerminationCondition& ptc, bool exact) {
   const auto limit = static_cast<std::size_t>(config_.goals_max);
-  if (const ob::State* first = pis_.nextGoal(ptc)) goals_.push_back(si_->cloneState(first));
+  const bool listed = dynamic_cast<const ob::GoalState*>(&goal) != nullptr ||
+                      dynamic_cast<const ob::GoalStates*>(&goal) != nullptr;
+  // OMPL waits for goals to come, until the termination condition is met, even where all are known.
+  const ob::State* first = listed ? pis_.nextGoal() : pis_.nextGoal(ptc);
+  while (listed && !first && pis_.haveMoreGoalStates()) first = pis_.nextGoal();
+  if (first) goals_.push_back(si_->cloneState(first));
   while (!goals_.empty() && goals_.size() < limit && pis_.haveMoreGoalStates() && !ptc()) {
     const ob::State* more = pis_.nextGoal();
     if (!more) break;
