@@ -14,7 +14,6 @@
 
 #include "voronaut/planners/parameter_declaration.h"
 #include "voronaut/planners/planar_state.h"
-#include "voronaut/planners/voronoi/boundary_sampling.h"
 
 namespace voronaut {
 
@@ -23,7 +22,6 @@ namespace og = ompl::geometric;
 
 namespace {
 
-constexpr int kMaxRepairs = 64;
 // OMPL's goal regions are open: a place at the very threshold does not satisfy them.
 constexpr double kInsideThreshold = 0.999;
 constexpr double kLeastTolerance_m = 1e-6;
@@ -31,7 +29,6 @@ constexpr double kLeastTolerance_m = 1e-6;
 constexpr const char* kTimeout = "the termination condition was met first";
 constexpr const char* kGoalBlocked = "no place within the goal's tolerance has the clearance";
 constexpr const char* kRefused = "the motion validator refuses the route found";
-constexpr const char* kNotSampled = "no path was found on the sampled border of the valid states";
 
 }  // namespace
 
@@ -184,55 +181,6 @@ Route VoronoiRoadmap::ask(const Question& question, const Bounds& bounds,
   return router_.route_near(query, question.tolerance_m);
 }
 
-ob::PlannerStatus VoronoiRoadmap::solve_by_sampling(const ob::PlannerTerminationCondition& ptc) {
-  const Bounds bounds = position_bounds(*si_->getStateSpace());
-  ob::State* probe = si_->cloneState(starts_.front());
-  const auto is_valid = [&](const Vec2& p) {
-    set_position(*si_->getStateSpace(), probe, p);
-    return si_->isValid(probe);
-  };
-  ob::PlannerStatus status = ob::PlannerStatus::UNKNOWN;
-  for (int cells = config_.boundary_cells; status == ob::PlannerStatus::UNKNOWN; cells *= 2) {
-    BoundarySamples border = sample_boundary(is_valid, bounds, cells, [&ptc] { return ptc(); });
-    for (const ob::State* start : starts_) {
-      for (const ob::State* goal : goals_) {
-        if (ptc() || status) break;
-        const Question question{start, goal, 0};
-        const Route route =
-            ask_and_repair(question, bounds, border.clearance_m, border.points, ptc);
-        if (!route.points.empty()) status = report(question, route);
-      }
-    }
-    if (status) break;
-    if (ptc())
-      status = failure(kTimeout, false, ob::PlannerStatus::TIMEOUT);
-    else if (2 * cells > config_.boundary_cells_max)
-      status = failure(kNotSampled, false, ob::PlannerStatus::TIMEOUT);
-  }
-  si_->freeState(probe);
-  return status;
-}
-
-// Where the validity check refuses a route, it has found an obstacle that the grid has missed: the
-// place becomes a point, and the route is asked for again.
-Route VoronoiRoadmap::ask_and_repair(const Question& question, const Bounds& bounds,
-                                     double clearance_m, std::vector<Vec2>& points,
-                                     const ob::PlannerTerminationCondition& ptc) {
-  const MotionCheck motion_is_clear = [&](const Vec2& a, const Vec2& b) {
-    return is_valid_motion(question.start, a, b);
-  };
-  const std::vector<Vec2> places{position(question.start), position(question.goal)};
-  for (int repair = 0; repair < kMaxRepairs && !ptc(); ++repair) {
-    router_.observe(points, bounds, clearance_m, places);
-    Route route = ask(question, bounds, motion_is_clear, config_.shortening);
-    if (route.verdict != Route::Verdict::found) return {};
-    const std::vector<Vec2> refused = invalid_places(question.start, route.points);
-    if (refused.empty()) return route;
-    points.insert(points.end(), refused.begin(), refused.end());
-  }
-  return {};
-}
-
 ob::PlannerStatus VoronoiRoadmap::failure(std::string_view why, bool proved,
                                           ob::PlannerStatus::StatusType otherwise) {
   failure_reason_ = why;
@@ -287,30 +235,6 @@ bool VoronoiRoadmap::is_valid_path(const ob::State* like, const std::vector<Vec2
   si_->freeState(from);
   si_->freeState(to);
   return valid;
-}
-
-// The first place of each piece that is not valid.
-std::vector<Vec2> VoronoiRoadmap::invalid_places(const ob::State* like,
-                                                 const std::vector<Vec2>& path) const {
-  const double step = si_->getStateSpace()->getLongestValidSegmentLength();
-  ob::State* probe = si_->cloneState(like);
-  std::vector<Vec2> places;
-  for (std::size_t i = 1; i < path.size(); ++i) {
-    if (is_valid_motion(like, path[i - 1], path[i])) continue;
-    const Vec2 along = path[i] - path[i - 1];
-    const int steps = std::max(1, static_cast<int>(std::ceil(along.norm() / step)));
-    Vec2 place = 0.5 * (path[i - 1] + path[i]);
-    for (int k = 0; k <= steps; ++k) {
-      const Vec2 p = path[i - 1] + along * k / steps;
-      set_position(*si_->getStateSpace(), probe, p);
-      if (si_->isValid(probe)) continue;
-      place = p;
-      break;
-    }
-    places.push_back(place);
-  }
-  si_->freeState(probe);
-  return places;
 }
 
 void VoronoiRoadmap::getPlannerData(ob::PlannerData& data) const {
