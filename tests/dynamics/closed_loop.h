@@ -1,14 +1,31 @@
 #pragma once
 
+#include <cmath>
 #include <functional>
+#include <numbers>
 #include <vector>
 
-#include "voronaut/dynamics/model.h"
+#include "voronaut/dynamics/limits.h"
+#include "voronaut/dynamics/models/quadrotor.h"
 #include "voronaut/dynamics/regulator.h"
 
 namespace voronaut::testing {
 
 inline constexpr double kPeriod_s = 0.01;
+
+inline constexpr double kDegree = std::numbers::pi / 180;
+inline constexpr double kFar_m = 1e6;
+
+inline QuadrotorConfig quadrotor_with(QuadrotorConfig::InertiaSet inertia) {
+  QuadrotorConfig config;
+  config.inertia = inertia;
+  return config;
+}
+
+// Only the tilt limits the acceleration.
+inline MotionLimits tilt_limited(double max_tilt_deg) {
+  return {.max_speed_m_s = 5, .max_acceleration_m_s2 = 100, .max_tilt_rad = max_tilt_deg * kDegree};
+}
 
 using Guide = std::function<Setpoint(double time_s, const VehicleState& state)>;
 
@@ -42,6 +59,16 @@ inline VehicleState coast(const Model& model, VehicleState state, const Command&
 inline double cos_tilt(const VehicleState& state) {
   const Eigen::Quaterniond& q = state.q_world_body;
   return 1 - 2 * (q.x() * q.x() + q.y() * q.y());
+}
+
+inline double tilt_deg(const VehicleState& s) { return std::acos(cos_tilt(s)) / kDegree; }
+
+// Time at which the vehicle lies on its side, or -1.
+inline double flip_time_s(const std::vector<VehicleState>& states) {
+  for (std::size_t i = 0; i < states.size(); ++i) {
+    if (cos_tilt(states[i]) <= 0) return static_cast<double>(i) * kPeriod_s;
+  }
+  return -1;
 }
 
 }  // namespace voronaut::testing

@@ -1,14 +1,11 @@
-// The regulators on the full nonlinear model: steps, missions, stops and the literal law's flips,
+// The regulators on the full nonlinear model: steps, missions and stops,
 // held against the numbers of an independent simulation.
 #include "closed_loop.h"
 
 #include <cmath>
-#include <numbers>
-#include <utility>
 
 #include <gmock/gmock.h>
 
-#include "voronaut/dynamics/regulators/paper_literal.h"
 #include "voronaut/dynamics/regulators/pd_rate.h"
 #include "voronaut/dynamics/stopping.h"
 
@@ -19,22 +16,6 @@ using Eigen::Vector2d;
 using InertiaSet = QuadrotorConfig::InertiaSet;
 using Kind = SpeedProfileConfig::Kind;
 using Poles = PdRateConfig::Poles;
-
-constexpr double kDegree = std::numbers::pi / 180;
-constexpr double kFar_m = 1e6;
-
-QuadrotorConfig quadrotor_with(InertiaSet inertia) {
-  QuadrotorConfig config;
-  config.inertia = inertia;
-  return config;
-}
-
-// Only the tilt limits the acceleration.
-MotionLimits tilt_limited(double max_tilt_deg) {
-  return {.max_speed_m_s = 5, .max_acceleration_m_s2 = 100, .max_tilt_rad = max_tilt_deg * kDegree};
-}
-
-double tilt_deg(const VehicleState& s) { return std::acos(cos_tilt(s)) / kDegree; }
 
 double yaw_off_deg(const VehicleState& s, const Vector2d& heading) {
   return std::acos(std::min(1.0, s.heading_world().dot(heading))) / kDegree;
@@ -253,139 +234,6 @@ TEST(PdRate, StopsWithinTheTabulatedDistanceAndTheClosedFormIsNear) {
       EXPECT_GT(error, -row.worst_low) << v << " m/s";
       EXPECT_LT(error, row.worst_high) << v << " m/s";
     }
-  }
-}
-
-// Time at which the vehicle lies on its side, or -1.
-double flip_time_s(const std::vector<VehicleState>& states) {
-  for (std::size_t i = 0; i < states.size(); ++i) {
-    if (cos_tilt(states[i]) <= 0) return static_cast<double>(i) * kPeriod_s;
-  }
-  return -1;
-}
-
-struct FlipRow {
-  InertiaSet inertia;
-  double kp, kd, flip_s;
-};
-
-const FlipRow kFlips[] = {
-    {InertiaSet::printed, 1, 1, 7.98},     {InertiaSet::printed, 10, 5, 3.19},
-    {InertiaSet::printed, 20, 20, 2.92},   {InertiaSet::printed, 5, 50, 10.8},
-    {InertiaSet::corrected, 1, 1, 3.82},   {InertiaSet::corrected, 10, 5, 1.18},
-    {InertiaSet::corrected, 20, 20, 0.99}, {InertiaSet::corrected, 5, 50, 1.24},
-};
-
-double literal_flip_time_s(const FlipRow& row, bool typo_in_eq3) {
-  QuadrotorConfig vehicle = quadrotor_with(row.inertia);
-  vehicle.min_rotor_speed_rad_s = 0;
-  vehicle.max_rotor_speed_rad_s = 2 * vehicle.hover_rotor_speed_rad_s();
-  PaperLiteralConfig config;
-  config.horizontal_kp = row.kp;
-  config.horizontal_kd = row.kd;
-  config.typo_in_eq3 = typo_in_eq3;
-  const Quadrotor model(vehicle);
-  PaperLiteral regulator(config, vehicle, tilt_limited(20));
-  const Vec3 target = typo_in_eq3 ? Vec3(kFar_m, -kFar_m, 1) : Vec3(kFar_m, 0, 1);
-  return flip_time_s(
-      fly(model, regulator, model.at_rest({0, 0, 1}, {1, 0}), 15, [&](double, const VehicleState&) {
-        return Setpoint{.p_target_world = target, .speed_limit_m_s = 2.5};
-      }));
-}
-
-TEST(PaperLiteral, FlipsTheVehicleAsExpected) {
-  for (const FlipRow& row : kFlips) {
-    EXPECT_NEAR(literal_flip_time_s(row, false), row.flip_s, 0.06) << row.kp << ", " << row.kd;
-  }
-}
-
-TEST(PaperLiteral, FlipsWithTheTypoOfEquationThreeAsWell) {
-  for (const FlipRow& row : kFlips) EXPECT_GT(literal_flip_time_s(row, true), 0);
-}
-
-TEST(PaperLiteral, HoldsItsHeightUntilItFlips) {
-  QuadrotorConfig vehicle;
-  PaperLiteralConfig config;
-  const Quadrotor model(vehicle);
-  PaperLiteral regulator(config, vehicle, tilt_limited(20));
-  const auto states =
-      fly(model, regulator, model.at_rest({0, 0, 0}, {1, 0}), 5, [](double, const VehicleState&) {
-        return Setpoint{.p_target_world = {0, 0, 1}, .speed_limit_m_s = 2.5};
-      });
-  EXPECT_NEAR(states.back().p_world.z(), 1, 0.01);
-  EXPECT_EQ(flip_time_s(states), -1);
-}
-
-// The paper's frame mirrored (y = +Z) exchanges the rotors 2 and 4.
-class Mirrored : public Regulator {
- public:
-  explicit Mirrored(Regulator& inner) : inner_(inner) {}
-  void reset(const VehicleState& state) override { inner_.reset(state); }
-  Command regulate(const Setpoint& setpoint, const VehicleState& state) override {
-    Command command = inner_.regulate(setpoint, state);
-    std::swap(command.u[1], command.u[3]);
-    return command;
-  }
-
- private:
-  Regulator& inner_;
-};
-
-TEST(PdRate, FlipsWithinHalfASecondInTheMirrorImageOfTheFrame) {
-  const QuadrotorConfig vehicle;
-  const Quadrotor model(vehicle);
-  const auto guide = [](double, const VehicleState&) {
-    return Setpoint{{10, 10, 1}, 2.5, true, {0, 1}, 0};
-  };
-  PdRate right({}, vehicle, tilt_limited(20));
-  Mirrored mirrored(right);
-  const VehicleState start = model.at_rest({0, 0, 1}, {0, 1});
-  EXPECT_EQ(flip_time_s(fly(model, right, start, 12, guide)), -1);
-  const double flip_s = flip_time_s(fly(model, mirrored, start, 12, guide));
-  EXPECT_GT(flip_s, 0);
-  EXPECT_LT(flip_s, 0.5);
-}
-
-TEST(PdRate, RaisesTheRotorsThatThePapersPairsName) {
-  // Body x along the paper's X, which is W's y: the pair 1-3 answers for y, the pair 2-4 for x.
-  const QuadrotorConfig vehicle;
-  const Quadrotor model(vehicle);
-  PdRate regulator({}, vehicle, tilt_limited(20));
-  const VehicleState rest = model.at_rest({0, 0, 1}, {0, 1});
-  const auto command_towards = [&](double x, double y) {
-    regulator.reset(rest);
-    return regulator.regulate({{x, y, 1}, 1, false, {0, 1}, 0}, rest).u;
-  };
-  const auto along_x = command_towards(5, 0);
-  EXPECT_GT(along_x[3], along_x[1]);
-  EXPECT_DOUBLE_EQ(along_x[0], along_x[2]);
-  const auto along_y = command_towards(0, 5);
-  EXPECT_GT(along_y[2], along_y[0]);
-  EXPECT_DOUBLE_EQ(along_y[1], along_y[3]);
-}
-
-TEST(PdRate, TurnsWithNoMoreThanItsShareOfTheRotorSpeed) {
-  const QuadrotorConfig vehicle;
-  const Quadrotor model(vehicle);
-  PdRate regulator({}, vehicle, tilt_limited(20));
-  const VehicleState rest = model.at_rest({0, 0, 1}, {1, 0});
-  regulator.reset(rest);
-  const auto u = regulator.regulate({{0, 0, 1}, 1, true, {-1, 0}, 0}, rest).u;
-  const double share = 0.15 * vehicle.hover_rotor_speed_rad_s();
-  EXPECT_NEAR((u[1] + u[3] - u[0] - u[2]) / 4, share, 1e-9);
-}
-
-TEST(PdRate, RecoversFromALargeRollAtRest) {
-  const QuadrotorConfig vehicle;
-  const Quadrotor model(vehicle);
-  for (const double roll_deg : {30.0, 90.0, 135.0, 165.0}) {
-    PdRate regulator({}, vehicle, tilt_limited(20));
-    VehicleState start = model.at_rest({0, 0, 1}, {1, 0});
-    start.q_world_body = Eigen::Quaterniond(Eigen::AngleAxisd(roll_deg * kDegree, Vec3::UnitX()));
-    const auto states = fly(model, regulator, start, 8, [](double, const VehicleState&) {
-      return Setpoint{.p_target_world = {0, 0, 1}, .speed_limit_m_s = 2.5, .brake_at_target = true};
-    });
-    EXPECT_LT(tilt_deg(states.back()), 10) << roll_deg;
   }
 }
 

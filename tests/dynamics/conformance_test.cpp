@@ -2,6 +2,7 @@
 
 #include "../conformance/model_conformance.h"
 #include "../conformance/regulator_conformance.h"
+#include "../conformance/stable_regulator_conformance.h"
 
 namespace voronaut::testing {
 namespace {

@@ -20,12 +20,6 @@ using Complex = std::complex<double>;
 
 constexpr double kGravity = 9.81;
 
-QuadrotorConfig quadrotor_with(InertiaSet inertia) {
-  QuadrotorConfig config;
-  config.inertia = inertia;
-  return config;
-}
-
 PdRateConfig poles_of(Poles poles) {
   PdRateConfig config;
   config.poles = poles;
