@@ -18,7 +18,7 @@ namespace {
 
 using End = ChildReport::End;
 
-ProcessLimits tight() { return {.memory_mb = 256, .cpu_s = 1, .wall_s = 20}; }
+ProcessLimits tight() { return {.memory_mb = 256, .cpu_s = 1, .wall_s = 120}; }
 
 TEST(ChildProcess, ReturnsWhatTheWorkReturnedHoweverLong) {
   const std::string long_text(3'000'000, 'x');

@@ -34,7 +34,7 @@ TEST(ContactOracle, AgreesWithExactClearanceOutsideABandOfTenMicrometres) {
     Random random(seed);
     const Shapes shapes = mixed_shapes(random);
     const ContactOracle oracle(shapes, kBodyRadius_m);
-    const World world(shapes, {Vec2(-10, -10), Vec2(10, 10)});
+    const World world({Vec2(-10, -10), Vec2(10, 10)}, shapes);
     for (int i = 0; i < 500; ++i) {
       const Vec2 p(random.uniform(-6, 6), random.uniform(-6, 6));
       const double margin_m = world.clearance_m(p) - kBodyRadius_m;
@@ -59,8 +59,8 @@ TEST(ContactOracle, SeesACylinderJustTouchedAndNotOneJustMissed) {
 Scenario open_field() {
   Scenario scenario;
   scenario.name = "open";
-  scenario.world = std::make_shared<World>(Shapes{{{Vec2(5, 3), 0.5}}, {}, {}},
-                                           Bounds{Vec2(-1, -5), Vec2(12, 5)});
+  scenario.world = std::make_shared<World>(Bounds{Vec2(-1, -5), Vec2(12, 5)},
+                                           Shapes{{{Vec2(5, 3), 0.5}}, {}, {}});
   scenario.start_world = Vec2(0, 0);
   scenario.goal_world = Vec2(10, 0);
   scenario.cruise_height_m = 1;
