@@ -5,6 +5,7 @@
 #include <ompl/base/spaces/RealVectorStateSpace.h>
 
 #include "voronaut/planners/belief_validity_checker.h"
+#include "voronaut/planners/goal_placement.h"
 #include "voronaut/planners/planar_state.h"
 #include "voronaut/planners/swept_disc_motion_validator.h"
 
@@ -82,6 +83,14 @@ void PlanningProblem::pose_problem(const Vec2& start_world) {
   ob::ScopedState<> start(si_);
   set_position(*si_->getStateSpace(), start.get(), start_world);
   definition_->addStartState(start);
+
+  const auto place =
+      place_for_goal(config_.goal_world, config_.goal_tolerance_m, config_.bounds_world,
+                     checker_->known_obstacles(), config_.clearance_min_m);
+  goal_has_place_ = place.has_value();
+  ob::ScopedState<> goal(si_);
+  set_position(*si_->getStateSpace(), goal.get(), place.value_or(config_.goal_world));
+  definition_->getGoal()->as<ob::GoalState>()->setState(goal);
 }
 
 ob::PlannerTerminationCondition PlanningProblem::budget(const PlanningBudget& budget) {

@@ -48,6 +48,10 @@ class PlanningProblem {
   // The same for a static problem: nobody is under way, planners see the whole of it at once.
   void update(const ObstacleSnapshot& obstacles, const Vec2& start_world);
 
+  // False if no place within the goal's tolerance keeps the clearance: a proof that there is no
+  // path.
+  bool goal_has_place() const { return goal_has_place_; }
+
   // Stops a solve when the budget is spent (counted from this call). Valid as long as the problem
   // lives.
   ompl::base::PlannerTerminationCondition budget(const PlanningBudget& budget);
@@ -68,6 +72,7 @@ class PlanningProblem {
   ompl::base::SpaceInformationPtr si_;
   ompl::base::ProblemDefinitionPtr definition_;
   std::shared_ptr<BeliefValidityChecker> checker_;
+  bool goal_has_place_ = true;
   struct Spending;
   std::shared_ptr<Spending> spending_;
 };

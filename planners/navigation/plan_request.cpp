@@ -22,8 +22,7 @@ PlanStatus status_of(const ob::PlannerStatus& solved, bool reactive,
     case ob::PlannerStatus::UNRECOGNIZED_GOAL_TYPE:
       return PlanStatus::refused;
     default:
-      return insight != nullptr && insight->proved_no_path() ? PlanStatus::infeasible
-                                                             : PlanStatus::none;
+      return PlanStatus::none;
   }
 }
 
@@ -31,7 +30,10 @@ PlanStatus status_of(const ob::PlannerStatus& solved, bool reactive,
 
 Plan ask_for_plan(ob::Planner& planner, const PlannerTraits& traits, PlanningProblem& problem,
                   const PlanningBudget& budget) {
-  if (!traits.plans_on_every_scan) planner.clear();
+  if (!traits.plans_on_every_scan) {
+    if (!problem.goal_has_place()) return {PlanStatus::infeasible, {}, {}};
+    planner.clear();
+  }
   planner.setProblemDefinition(problem.definition());
   const ob::PlannerStatus solved = planner.solve(problem.budget(budget));
   const auto* insight = dynamic_cast<const PlannerInsight*>(&planner);
