@@ -10,8 +10,7 @@ namespace ob = ompl::base;
 
 namespace {
 
-PlanStatus status_of(const ob::PlannerStatus& solved, bool reactive,
-                     const PlannerInsight* insight) {
+PlanStatus status_of(const ob::PlannerStatus& solved, bool reactive) {
   switch (static_cast<ob::PlannerStatus::StatusType>(solved)) {
     case ob::PlannerStatus::EXACT_SOLUTION:
       return PlanStatus::to_goal;
@@ -39,8 +38,11 @@ Plan ask_for_plan(ob::Planner& planner, const PlannerTraits& traits, PlanningPro
   const auto* insight = dynamic_cast<const PlannerInsight*>(&planner);
 
   Plan plan;
-  plan.status = status_of(solved, traits.plans_on_every_scan, insight);
-  if (insight != nullptr) plan.mode = insight->mode();
+  plan.status = status_of(solved, traits.plans_on_every_scan);
+  if (insight != nullptr) {
+    plan.mode = insight->mode();
+    if (!solved && insight->proved_no_path()) plan.status = PlanStatus::infeasible;
+  }
   if (plan.status == PlanStatus::to_goal || plan.status == PlanStatus::partial) {
     plan.path =
         to_path(*problem.definition()->getSolutionPath()->as<ompl::geometric::PathGeometric>());
