@@ -84,6 +84,8 @@ OutputFolder OutputFolder::prepare(const Place& place, const SuiteSource& source
 }
 
 OutputFolder OutputFolder::open(const fs::path& folder) {
+  if (!fs::exists(folder / kDatabase))
+    throw std::invalid_argument(folder.string() + ": no results here (no " + kDatabase + ")");
   return {folder, ResultStore::open(folder / kDatabase)};
 }
 

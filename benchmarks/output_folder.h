@@ -25,7 +25,7 @@ class OutputFolder {
   // continued with a note. Notes are lines on `notes`.
   static OutputFolder prepare(const Place& place, const SuiteSource& source,
                               const SuiteConfig& suite, std::ostream& notes);
-  // One that is there. Throws StoreError.
+  // One that is there. Throws std::invalid_argument, StoreError.
   static OutputFolder open(const std::filesystem::path& folder);
 
   ResultStore& store() { return store_; }
