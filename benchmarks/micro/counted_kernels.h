@@ -25,6 +25,7 @@ struct CountedKernel {
   double limit_instructions;  // per operation, on the average: more is a regression
   double goal_instructions;   // what is aimed at; the limit follows as it is approached
   std::function<std::unique_ptr<CountedWork>()> make;
+  bool takes_minutes = false;  // counted on demand only
 };
 
 const std::vector<CountedKernel>& counted_kernels();

@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <chrono>
 #include <cstdlib>
 #include <memory>
 #include <string>
@@ -28,13 +27,7 @@
 namespace voronaut::micro {
 namespace {
 
-using Clock = std::chrono::steady_clock;
-
 constexpr std::size_t kScans = 1000;
-
-double seconds_since(Clock::time_point start) {
-  return std::chrono::duration<double>(Clock::now() - start).count();
-}
 
 class OwnMap {
  public:
@@ -64,59 +57,58 @@ double share_of_returns(const std::vector<MeasuredScan>& scans) {
   return static_cast<double>(returns) / static_cast<double>(beams);
 }
 
-// Maps all scans from nothing, again and again; the time is that of one scan on the average.
-template <class MakeMap>
-void map_scans(benchmark::State& state, const std::vector<MeasuredScan>& scans,
-               const MakeMap& make_map) {
+// One iteration maps one scan; at the end of the scans a fresh start is made, untimed.
+template <class Map>
+void map_scans(benchmark::State& state, const std::vector<MeasuredScan>& scans, const Map& start) {
+  auto map = std::make_unique<Map>(start);
+  std::size_t next = 0;
   std::size_t size = 0;
   for (auto _ : state) {
-    auto map = make_map();
-    const Clock::time_point start = Clock::now();
-    for (const MeasuredScan& scan : scans) map.insert(scan);
-    state.SetIterationTime(seconds_since(start) / static_cast<double>(scans.size()));
-    size = map.size();
+    map->insert(scans[next]);
+    if (++next < scans.size()) continue;
+    state.PauseTiming();
+    size = map->size();
+    map = std::make_unique<Map>(start);
+    next = 0;
+    state.ResumeTiming();
   }
   state.counters["share_of_returns"] = share_of_returns(scans);
-  state.counters["size"] = static_cast<double>(size);
+  if (size > 0) state.counters["size"] = static_cast<double>(size);
 }
 
 template <class MakeMap>
 void register_on_forest(const std::string& name, const MakeMap& make_map) {
   const auto run = [make_map](benchmark::State& state) {
-    map_scans(state, forest_scans(static_cast<std::size_t>(state.range(0))), make_map);
+    map_scans(state, forest_scans(static_cast<std::size_t>(state.range(0))), make_map());
   };
   benchmark::RegisterBenchmark(("mapping/forest/" + name).c_str(), run)
       ->ArgName("rays")
       ->Arg(181)
       ->Arg(360)
       ->Arg(720)
-      ->UseManualTime()
       ->Unit(benchmark::kMicrosecond);
 }
 
-// The cost of one scan of new ground after k scans.
+// The cost of one scan of new ground, the same 500 scans each time, when k scans of other ground
+// are known.
 template <class MakeMap>
 void register_growth(const std::string& name, std::vector<std::int64_t> known_scans,
                      const MakeMap& make_map) {
   constexpr std::size_t kTimed = 500;
   const auto run = [make_map](benchmark::State& state) {
     const auto known = static_cast<std::size_t>(state.range(0));
-    ForestWalk walk({.scans = known + kTimed});
+    ForestWalk elsewhere({.scans = known, .seed = 2, .aside_m = 100});
     auto grown = make_map();
-    for (std::size_t i = 0; i < known; ++i) grown.insert(measured(walk.next()));
+    for (std::size_t i = 0; i < known; ++i) grown.insert(measured(elsewhere.next()));
+    ForestWalk walk({.scans = kTimed});
     std::vector<MeasuredScan> next;
     for (std::size_t i = 0; i < kTimed; ++i) next.push_back(measured(walk.next()));
-    for (auto _ : state) {
-      auto map = grown;
-      const Clock::time_point start = Clock::now();
-      for (const MeasuredScan& scan : next) map.insert(scan);
-      state.SetIterationTime(seconds_since(start) / kTimed);
-    }
+    map_scans(state, next, grown);
     state.SetComplexityN(state.range(0));
     state.counters["size"] = static_cast<double>(grown.size());
   };
   auto* growth = benchmark::RegisterBenchmark(("mapping/growth/" + name).c_str(), run);
-  growth->ArgName("known_scans")->UseManualTime()->Unit(benchmark::kMicrosecond)->Complexity();
+  growth->ArgName("known_scans")->Unit(benchmark::kMicrosecond)->Complexity();
   for (const std::int64_t k : known_scans) growth->Arg(k);
 }
 
@@ -159,14 +151,13 @@ void register_lidar(const std::string& data) {
         return;
       }
       const ObstacleBaseConfig config;
-      map_scans(state, scans, [=] { return OwnMap(config); });
+      map_scans(state, scans, OwnMap(config));
       OwnMap map(config);
       for (const MeasuredScan& scan : scans) map.insert(scan);
       state.counters["clusters"] = static_cast<double>(map.base().snapshot().cluster_count());
       state.counters["scans"] = static_cast<double>(scans.size());
     };
     benchmark::RegisterBenchmark(("mapping/lidar/" + name).c_str(), run)
-        ->UseManualTime()
         ->Unit(benchmark::kMicrosecond);
   }
 }

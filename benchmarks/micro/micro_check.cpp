@@ -42,7 +42,7 @@ double number_after(const std::string& text, const std::string& words) {
   return std::regex_search(text, match, std::regex(words + " *([0-9]+)")) ? std::stod(match[1]) : 0;
 }
 
-int check(const std::string& self) {
+int check(const std::string& self, bool all) {
   if (std::system("valgrind --version > /dev/null 2>&1") != 0) {
     std::puts("skipped: valgrind not found, no instructions counted");
     return kSkipped;
@@ -50,6 +50,7 @@ int check(const std::string& self) {
   int above = 0;
   std::printf("%-24s %12s %8s %8s   per\n", "kernel", "instructions", "limit", "goal");
   for (const CountedKernel& kernel : counted_kernels()) {
+    if (kernel.takes_minutes && !all) continue;
     const std::string output = output_of(
         "valgrind --tool=callgrind --callgrind-out-file=/dev/null "
         "--toggle-collect=voronaut_counted '" +
@@ -76,8 +77,9 @@ int check(const std::string& self) {
 }  // namespace voronaut::micro
 
 int main(int argc, char** argv) {
-  if (argc == 1) return voronaut::micro::check(argv[0]);
+  const bool all = argc == 2 && std::string(argv[1]) == "--all";
+  if (argc == 1 || all) return voronaut::micro::check(argv[0], all);
   if (argc == 3 && std::string(argv[1]) == "--kernel") return voronaut::micro::run_kernel(argv[2]);
-  std::fprintf(stderr, "usage: voronaut-micro-check [--kernel NAME]\n");
+  std::fprintf(stderr, "usage: voronaut-micro-check [--all | --kernel NAME]\n");
   return 2;
 }

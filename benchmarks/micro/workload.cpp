@@ -67,6 +67,7 @@ const Scan& ForestWalk::next() {
   const Vec2 along = Vec2{1, at.slope} / std::sqrt(1 + at.slope * at.slope);
   scan_.sensor_world = {at.p, along};
   cast_fan(forest_, scan_.sensor_world, *scan_.beams, scan_.max_range_m, scan_.range_m);
+  scan_.sensor_world.p_world.y() += config_.aside_m;
   x_m_ += config_.step_m * along.x();
   return scan_;
 }
