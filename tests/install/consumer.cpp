@@ -8,14 +8,15 @@
 
 namespace ob = ompl::base;
 
-// A disc in the middle of a square, known to OMPL through a validity checker alone.
+// A disc near the middle of a square, known to OMPL through a validity checker alone.
 int main() {
   auto space = std::make_shared<ob::RealVectorStateSpace>(2);
   space->setBounds(-5, 5);
   ompl::geometric::SimpleSetup setup(space);
   setup.setStateValidityChecker([](const ob::State* state) {
     const auto* p = state->as<ob::RealVectorStateSpace::StateType>();
-    return p->values[0] * p->values[0] + p->values[1] * p->values[1] > 1;
+    const double dx = p->values[0] - 0.5;
+    return dx * dx + p->values[1] * p->values[1] > 1;
   });
   ob::ScopedState<> start(space), goal(space);
   start[0] = start[1] = -4;
@@ -24,8 +25,10 @@ int main() {
 
   const auto planners = voronaut::PlannerCatalog::built_in();
   ompl::tools::Benchmark benchmark(setup, "consumer");
-  for (const char* name : {"ReactiveVoronoi", "PotentialField", "RRTConnect"}) {
-    benchmark.addPlanner(planners.find(name)->make(setup.getSpaceInformation()));
+  for (const char* name : {"VoronoiRoadmap", "ReactiveVoronoi", "RRTConnect"}) {
+    const auto planner = planners.find(name)->make(setup.getSpaceInformation());
+    if (planner->params().hasParam("preset")) planner->params().setParam("preset", "repaired");
+    benchmark.addPlanner(planner);
   }
   benchmark.benchmark(ompl::tools::Benchmark::Request(2.0, 512.0, 1, 0.01, false));
   bool all_solved = true;
