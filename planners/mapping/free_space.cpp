@@ -36,6 +36,37 @@ std::uint64_t running_parity(std::uint64_t bits) {
   return bits;
 }
 
+// Columns that shapes cover anywhere within a row, in cells.
+struct RowExtent {
+  double from = std::numeric_limits<double>::infinity();
+  double to = -std::numeric_limits<double>::infinity();
+
+  void add(double low, double high) {
+    from = std::min(from, low);
+    to = std::max(to, high);
+  }
+
+  void add_disc(int row, const Vec2& center, double radius) {
+    const double away = std::max({0.0, row - center.y(), center.y() - (row + 1)});
+    if (away > radius) return;
+    const double half = std::sqrt(radius * radius - away * away);
+    add(center.x() - half, center.x() + half);
+  }
+
+  void add_segment(int row, const Segment& s) {
+    const bool rising = s.a.y() <= s.b.y();
+    const Vec2& low = rising ? s.a : s.b;
+    const Vec2& high = rising ? s.b : s.a;
+    if (high.y() < row || low.y() > row + 1) return;
+    const double height = high.y() - low.y();
+    const double slope = height > 0 ? (high.x() - low.x()) / height : 0;
+    const double x_low = low.x() + (std::max<double>(row, low.y()) - low.y()) * slope;
+    const double x_high =
+        height > 0 ? low.x() + (std::min<double>(row + 1, high.y()) - low.y()) * slope : high.x();
+    add(std::min(x_low, x_high), std::max(x_low, x_high));
+  }
+};
+
 // How far a beam has shown empty. The surface between two beams may stand out towards the sensor: a
 // right-angled corner by half their spacing.
 double free_length_m(const Scan& scan, std::size_t i, double half_spacing_rad) {
@@ -202,37 +233,18 @@ bool FreeSpace::swept_disc_is_free(const Vec2& a_world, const Vec2& b_world,
   const Vec2 along = b - a;
   const double length = along.norm();
   const Vec2 side = length > 0 ? Vec2(left_of(along) * (radius / length)) : Vec2(0, 0);
-  const Segment sides[2] = {{a - side, b - side}, {a + side, b + side}};
 
   const int first = static_cast<int>(std::floor(std::min(a.y(), b.y()) - radius));
   const int last = static_cast<int>(std::floor(std::max(a.y(), b.y()) + radius));
   for (int row = first; row <= last; ++row) {
-    double from = std::numeric_limits<double>::infinity(), to = -from;
-    const auto widen = [&](double low, double high) {
-      from = std::min(from, low);
-      to = std::max(to, high);
-    };
     // The swept disc is the convex hull of its two ends and its two sides; so is its extent in a
     // row.
-    for (const Vec2& end : {a, b}) {
-      const double away = std::max({0.0, row - end.y(), end.y() - (row + 1)});
-      if (away > radius) continue;
-      const double half = std::sqrt(radius * radius - away * away);
-      widen(end.x() - half, end.x() + half);
-    }
-    for (const Segment& s : sides) {
-      const bool rising = s.a.y() <= s.b.y();
-      const Vec2& low = rising ? s.a : s.b;
-      const Vec2& high = rising ? s.b : s.a;
-      if (high.y() < row || low.y() > row + 1) continue;
-      const double height = high.y() - low.y();
-      const double slope = height > 0 ? (high.x() - low.x()) / height : 0;
-      const double x_low = low.x() + (std::max<double>(row, low.y()) - low.y()) * slope;
-      const double x_high =
-          height > 0 ? low.x() + (std::min<double>(row + 1, high.y()) - low.y()) * slope : high.x();
-      widen(std::min(x_low, x_high), std::max(x_low, x_high));
-    }
-    if (from <= to && !row_is_free(row, from, to)) return false;
+    RowExtent extent;
+    extent.add_disc(row, a, radius);
+    extent.add_disc(row, b, radius);
+    extent.add_segment(row, {a - side, b - side});
+    extent.add_segment(row, {a + side, b + side});
+    if (extent.from <= extent.to && !row_is_free(row, extent.from, extent.to)) return false;
   }
   return true;
 }
