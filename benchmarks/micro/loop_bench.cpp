@@ -1,0 +1,57 @@
+#include <benchmark/benchmark.h>
+
+#include "voronaut/benchmarks/episode.h"
+#include "voronaut/environments/world.h"
+
+// The whole closed loop with a scan, a map update and a plan in every vehicle step: what a second
+// of flight costs. The referee's and the log's share is in it.
+namespace voronaut::micro {
+namespace {
+
+// Evenly placed obstacles on the way from (0, 0) to (10, 10), as in the scene paper-even.
+Scenario even_obstacles() {
+  std::vector<Circle> circles;
+  for (int i = 0; i < 4; ++i) {
+    for (int j = 0; j < 4; ++j) {
+      const Vec2 center(2.5 + 2.7 * i, 1.5 + 2.7 * j);
+      if ((center - Vec2(10, 10)).norm() > 1.2) circles.push_back({center, 0.5});
+    }
+  }
+  Scenario scenario;
+  scenario.name = "even";
+  scenario.world =
+      std::make_shared<World>(Bounds{Vec2(-5, -5), Vec2(15, 15)}, Shapes{circles, {}, {}});
+  scenario.goal_world = Vec2(10, 10);
+  scenario.start_heading = Vec2(1, 1).normalized();
+  return scenario;
+}
+
+void closed_loop(benchmark::State& state) {
+  const PlannerCatalog planners = PlannerCatalog::built_in();
+  TrialSpec spec;
+  spec.scenario = even_obstacles();
+  spec.vehicle = vehicle("quadrotor");
+  spec.regulator_name = spec.vehicle.regulator;
+  spec.regulator = regulator(spec.regulator_name);
+  spec.planner = {"repaired", "ReactiveVoronoi", {{"preset", "repaired"}}};
+  spec.range_finder.rate_hz = 100;
+  spec.range_finder.rays = static_cast<int>(state.range(0));
+  spec.shortest_length_m = 14.2;
+
+  double steps = 0;
+  for (auto _ : state) {
+    Flight flight(spec, planners, false);
+    const EpisodeLog log = fly(flight);
+    steps += static_cast<double>(log.ticks.size());
+    if (log.verdict.outcome != Outcome::goal_reached) state.SkipWithError("did not arrive");
+  }
+  using benchmark::Counter;
+  state.counters["steps_per_flight"] = Counter(steps, Counter::kAvgIterations);
+  state.counters["time_per_step"] = Counter(steps, Counter::kIsRate | Counter::kInvert);
+  state.counters["real_time_factor"] =
+      Counter(steps * spec.loop.vehicle_period_s, Counter::kIsRate);
+}
+BENCHMARK(closed_loop)->Arg(91)->Arg(181)->Unit(benchmark::kMillisecond);
+
+}  // namespace
+}  // namespace voronaut::micro
