@@ -1,4 +1,5 @@
 #include <benchmark/benchmark.h>
+#include <ompl/util/Console.h>
 
 #include "voronaut/benchmarks/episode.h"
 #include "voronaut/environments/world.h"
@@ -27,6 +28,7 @@ Scenario even_obstacles() {
 }
 
 void closed_loop(benchmark::State& state) {
+  ompl::msg::setLogLevel(ompl::msg::LOG_NONE);
   const PlannerCatalog planners = PlannerCatalog::built_in();
   TrialSpec spec;
   spec.scenario = even_obstacles();
