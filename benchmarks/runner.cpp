@@ -156,21 +156,9 @@ bool is_failure(Outcome outcome) {
 }
 
 RunRecord record_of_failure(const TrialSpec& spec, Outcome outcome, const std::string& reason) {
-  RunRecord record;
-  record.trial_id = spec.trial_id;
-  record.suite = spec.suite;
-  record.scenario = spec.scenario.name;
-  record.scenario_group = spec.scenario.group;
-  record.world_id = spec.world_id;
-  record.vehicle = spec.vehicle.name;
-  record.regulator = spec.regulator_name;
-  record.planner = spec.planner.label;
-  record.repetition = spec.repetition;
-  record.seed = static_cast<std::int64_t>(spec.planner_seed);
+  RunRecord record = record_before_flight(spec);
   record.outcome = outcome;
   record.reason = reason;
-  record.shortest_length_m = spec.shortest_length_m;
-  record.shortest_at_clearance_m = spec.shortest_at_clearance_m;
   record.spl = 0;
   return record;
 }

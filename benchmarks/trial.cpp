@@ -13,23 +13,6 @@ namespace voronaut {
 
 namespace {
 
-RunRecord identity(const TrialSpec& spec) {
-  RunRecord record;
-  record.trial_id = spec.trial_id;
-  record.suite = spec.suite;
-  record.scenario = spec.scenario.name;
-  record.scenario_group = spec.scenario.group;
-  record.world_id = spec.world_id;
-  record.vehicle = spec.vehicle.name;
-  record.regulator = spec.regulator_name;
-  record.planner = spec.planner.label;
-  record.repetition = spec.repetition;
-  record.seed = static_cast<std::int64_t>(spec.planner_seed);
-  record.shortest_length_m = spec.shortest_length_m;
-  record.shortest_at_clearance_m = spec.shortest_at_clearance_m;
-  return record;
-}
-
 std::string join(const std::vector<std::string>& words) {
   std::string text;
   for (const std::string& word : words) text += (text.empty() ? "" : " ") + word;
@@ -72,11 +55,28 @@ void add_times(RunRecord& record, const EpisodeLog& log) {
 
 }  // namespace
 
+RunRecord record_before_flight(const TrialSpec& spec) {
+  RunRecord record;
+  record.trial_id = spec.trial_id;
+  record.suite = spec.suite;
+  record.scenario = spec.scenario.name;
+  record.scenario_group = spec.scenario.group;
+  record.world_id = spec.world_id;
+  record.vehicle = spec.vehicle.name;
+  record.regulator = spec.regulator_name;
+  record.planner = spec.planner.label;
+  record.repetition = spec.repetition;
+  record.seed = static_cast<std::int64_t>(spec.planner_seed);
+  record.shortest_length_m = spec.shortest_length_m;
+  record.shortest_at_clearance_m = spec.shortest_at_clearance_m;
+  return record;
+}
+
 TrialResult run_trial(const TrialSpec& spec, const PlannerCatalog& planners, bool keep_trace) {
   ompl::msg::setLogLevel(ompl::msg::LOG_NONE);
   ompl::RNG::setSeed(static_cast<std::uint_fast32_t>(spec.planner_seed % 0x7fffffffU) + 1);
 
-  TrialResult result{identity(spec), std::nullopt};
+  TrialResult result{record_before_flight(spec), std::nullopt};
   Flight flight(spec, planners, keep_trace);
   if (flight.referee.contact_at_start()) {
     result.record.outcome = Outcome::invalid;

@@ -58,6 +58,9 @@ struct TrialResult {
 // of a planner or std::bad_alloc pass through, the caller makes rows of them.
 TrialResult run_trial(const TrialSpec& spec, const PlannerCatalog& planners, bool keep_trace);
 
+// The row of a trial that has not flown: what is known of it from its definition alone.
+RunRecord record_before_flight(const TrialSpec& spec);
+
 // The world as reports draw it.
 TraceWorld trace_world(const Scenario& scenario, const std::string& world_id);
 
