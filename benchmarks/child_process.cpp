@@ -23,7 +23,7 @@ namespace voronaut {
 
 namespace {
 
-constexpr off_t kErrorBytes = 64 * 1024;  // of standard error that are kept
+constexpr off_t kErrorBytes = off_t{64} * 1024;  // of standard error that are kept
 
 [[noreturn]] void fail(const char* what) {
   throw std::system_error(errno, std::generic_category(), what);

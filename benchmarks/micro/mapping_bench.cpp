@@ -92,7 +92,7 @@ void register_on_forest(const std::string& name, const MakeMap& make_map) {
 // The cost of one scan of new ground, the same 500 scans each time, when k scans of other ground
 // are known.
 template <class MakeMap>
-void register_growth(const std::string& name, std::vector<std::int64_t> known_scans,
+void register_growth(const std::string& name, const std::vector<std::int64_t>& known_scans,
                      const MakeMap& make_map) {
   constexpr std::size_t kTimed = 500;
   const auto run = [make_map](benchmark::State& state) {
