@@ -94,9 +94,9 @@ void read_contents(const ConfigNode& root, const std::string& data_argument,
 
 SuiteConfig read_suite(const ConfigNode& root, const std::string& data_argument,
                        const PlannerCatalog& planners) {
-  root.allow_only({"suite", "kind", "seed", "repetitions", "data", "scenarios", "vehicles",
-                   "planners", "range_finder", "mapping", "navigation", "loop", "budget", "limits",
-                   "traces"});
+  root.allow_only({"suite", "kind", "seed", "repetitions", "repeat", "data", "scenarios",
+                   "vehicles", "planners", "range_finder", "mapping", "navigation", "loop",
+                   "budget", "limits", "traces"});
   SuiteConfig suite;
   suite.name = read_name(root.child("suite"));
   if (const auto kind = root.find("kind")) kind->choice({"flown"});
@@ -104,6 +104,8 @@ SuiteConfig read_suite(const ConfigNode& root, const std::string& data_argument,
     suite.seed = static_cast<std::uint64_t>(seed->whole_number(0, kLargest));
   if (const auto repetitions = root.find("repetitions"))
     suite.repetitions = static_cast<int>(repetitions->whole_number(1, 1'000'000));
+  if (const auto repeat = root.find("repeat"))
+    suite.repeat = repeat->choice({"all", "random"}) == 0 ? Repeat::all : Repeat::random;
   read_section(root, "range_finder", suite.range_finder);
   read_section(root, "mapping", suite.mapping);
   read_section(root, "navigation", suite.navigation);

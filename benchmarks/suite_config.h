@@ -15,6 +15,7 @@
 // A suite: scenarios x vehicles x planners x repetitions, and the rules that all of them share.
 namespace voronaut {
 
+enum class Repeat { all, random };                // random: a scenario with one world is flown once
 enum class TraceKeeping { all, failures, none };  // failures: whatever did not reach the goal
 
 struct TrialLimits {
@@ -39,6 +40,7 @@ struct SuiteConfig {
   std::string name;
   std::uint64_t seed = 1;
   int repetitions = 1;
+  Repeat repeat = Repeat::all;
   std::vector<ScenarioSpec> scenarios;  // names unique
   std::vector<VehicleEntry> vehicles;   // labels unique
   std::vector<PlannerSpec> planners;    // labels unique
@@ -56,6 +58,7 @@ struct SuiteConfig {
 //   suite: quadrotor-paper           name, required
 //   seed: 1
 //   repetitions: 1
+//   repeat: all | random             random: a scenario with one world is flown once
 //   data: folder                     beside this file; --data and VORONAUT_DATA win
 //   scenarios: [...]                 entries of read_scenarios()
 //   vehicles: [quadrotor, {name: quadrotor, label: slow, params: {max_speed_m_s: 1},

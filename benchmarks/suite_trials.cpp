@@ -16,11 +16,16 @@ std::uint64_t world_seed(const SuiteConfig& suite, const std::string& scenario,
 
 }  // namespace
 
-SuiteTrials::SuiteTrials(const SuiteConfig& suite) : suite_(suite) {}
+SuiteTrials::SuiteTrials(const SuiteConfig& suite) : suite_(suite) {
+  for (std::size_t scenario = 0; scenario < suite.scenarios.size(); ++scenario) {
+    const bool once = suite.repeat == Repeat::random && !suite.scenarios[scenario].random();
+    const auto repetitions = static_cast<std::size_t>(once ? 1 : suite.repetitions);
+    for (std::size_t i = 0; i < repetitions; ++i) visits_.push_back({scenario, i});
+  }
+}
 
 std::size_t SuiteTrials::total() const {
-  return suite_.scenarios.size() * static_cast<std::size_t>(suite_.repetitions) *
-         suite_.vehicles.size() * suite_.planners.size();
+  return visits_.size() * suite_.vehicles.size() * suite_.planners.size();
 }
 
 std::optional<PlannedTrial> SuiteTrials::next() {
@@ -36,9 +41,8 @@ std::optional<PlannedTrial> SuiteTrials::next() {
 
 void SuiteTrials::enter_world() {
   const std::size_t worlds = next_ / (suite_.vehicles.size() * suite_.planners.size());
-  const auto repetitions = static_cast<std::size_t>(suite_.repetitions);
-  const ScenarioSpec& source = suite_.scenarios[worlds / repetitions];
-  const std::size_t repetition = worlds % repetitions;
+  const auto [scenario, repetition] = visits_[worlds];
+  const ScenarioSpec& source = suite_.scenarios[scenario];
   if (repetition > 0 && !source.random()) return;
   refusal_.clear();
   try {
@@ -55,7 +59,7 @@ void SuiteTrials::enter_world() {
 
 PlannedTrial SuiteTrials::trial(const VehicleEntry& vehicle, const PlannerSpec& planner) const {
   const std::size_t worlds = next_ / (suite_.vehicles.size() * suite_.planners.size());
-  const std::size_t repetition = worlds % static_cast<std::size_t>(suite_.repetitions);
+  const std::size_t repetition = visits_[worlds].repetition;
   TrialSpec spec;
   spec.suite = suite_.name;
   spec.scenario = scenario_;

@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "voronaut/benchmarks/suite_config.h"
 #include "voronaut/benchmarks/trial.h"
@@ -34,7 +35,13 @@ class SuiteTrials {
   void enter_world();
   PlannedTrial trial(const VehicleEntry& vehicle, const PlannerSpec& planner) const;
 
+  // A scenario's turn: which one, for the how manieth time.
+  struct Visit {
+    std::size_t scenario, repetition;
+  };
+
   const SuiteConfig& suite_;
+  std::vector<Visit> visits_;
   std::size_t next_ = 0;
   Scenario scenario_;
   std::string world_id_;

@@ -97,8 +97,8 @@ TEST(SuiteConfig, PassesFlagsToPlannersAsTheyWantThem) {
 TEST(SuiteConfig, SaysInOneLineWhatIsWrong) {
   unsetenv("VORONAUT_DATA");  // one of the messages is about its absence
   const std::string keys =
-      "suite, kind, seed, repetitions, data, scenarios, vehicles, planners, range_finder, mapping, "
-      "navigation, loop, budget, limits, traces";
+      "suite, kind, seed, repetitions, repeat, data, scenarios, vehicles, planners, range_finder, "
+      "mapping, navigation, loop, budget, limits, traces";
   const std::string count = "expected a whole number from ";
   const std::vector<std::pair<std::string, std::string>> cases = {
       {"", "s.yaml: the file is empty"},

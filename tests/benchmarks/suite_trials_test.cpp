@@ -1,5 +1,6 @@
 #include "voronaut/benchmarks/suite_trials.h"
 
+#include <algorithm>
 #include <map>
 #include <set>
 
@@ -123,6 +124,20 @@ TEST(SuiteTrials, KeepTheirPlaceWhenNoWorldCanBeDrawn) {
   EXPECT_EQ(planned->refusal, "the generator drew no admissible world");
   EXPECT_EQ(planned->spec.scenario.name, "full");
   EXPECT_THROW(SuiteTrials::check_worlds(suite), ConfigError);
+}
+
+TEST(SuiteTrials, FlyAScenarioWithOneWorldOnceIfOnlyRandomOnesRepeat) {
+  SuiteConfig suite = small_suite("once", {"a"}, 3);
+  const std::size_t all = SuiteTrials(suite).total();
+  suite.repeat = Repeat::random;
+  SuiteTrials trials(suite);
+  const auto fixed = std::ranges::count_if(
+      suite.scenarios, [](const ScenarioSpec& scenario) { return !scenario.random(); });
+  ASSERT_GT(fixed, 0);
+  EXPECT_EQ(trials.total(), all - 2 * static_cast<std::size_t>(fixed));
+  std::size_t flown = 0;
+  while (trials.next()) ++flown;
+  EXPECT_EQ(flown, trials.total());
 }
 
 }  // namespace
