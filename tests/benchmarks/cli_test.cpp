@@ -73,7 +73,8 @@ TEST_F(CommandLine, SaysInOneLineWhatIsWrongAndWritesNothing) {
       {"run nothing.yaml", "voronaut: nothing.yaml: no such file\n"},
       {"run broken.yaml",
        "voronaut: broken.yaml:2: key 'plannners': unknown key (allowed: suite, kind, seed, "
-       "repetitions, data, scenarios, vehicles, planners, range_finder, mapping, navigation, loop, "
+       "repetitions, repeat, data, scenarios, vehicles, planners, range_finder, mapping, "
+       "navigation, loop, "
        "budget, limits, traces; did you mean 'planners'?)\n"},
       {"run open.yaml --planners RRT",
        "voronaut: no planner 'RRT' in suite 'open' (allowed: RRTConnect, PotentialField)\n"},
