@@ -7,10 +7,10 @@
 #include <string_view>
 #include <vector>
 
-#include "voronaut/environments/config_node.h"
-#include "voronaut/environments/geometry.h"
-#include "voronaut/environments/shapes.h"
-#include "voronaut/environments/world_generators.h"
+#include "voronaut/environments/config/config_node.h"
+#include "voronaut/environments/generators/world_generators.h"
+#include "voronaut/environments/shapes/geometry.h"
+#include "voronaut/environments/shapes/shapes.h"
 
 // What is flown: a world, a start and a goal. A scenario source describes one or, with a generator,
 // one for every seed.

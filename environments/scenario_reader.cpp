@@ -3,9 +3,9 @@
 #include <stdexcept>
 #include <utility>
 
-#include "voronaut/environments/csv_table.h"
-#include "voronaut/environments/data_sets.h"
-#include "voronaut/environments/nearest_name.h"
+#include "voronaut/environments/config/nearest_name.h"
+#include "voronaut/environments/formats/csv_table.h"
+#include "voronaut/environments/formats/data_sets.h"
 #include "voronaut/environments/scenario.h"
 #include "voronaut/environments/world.h"
 

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "voronaut/environments/shape_index.h"
-#include "voronaut/environments/shapes.h"
+#include "voronaut/environments/shapes/shape_index.h"
+#include "voronaut/environments/shapes/shapes.h"
 
 namespace voronaut {
 

@@ -9,7 +9,8 @@ set(allowed_dynamics "dynamics/")
 set(allowed_reports "reports/")
 set(allowed_planners
   "planners/"
-  "environments/(geometry|scan|shapes|shape_index|ray_caster)[.]h"
+  "environments/shapes/(geometry|shapes|shape_index)[.]h"
+  "environments/sensing/(scan|ray_caster)[.]h"
   "dynamics/(state|path|limits|stopping|speed_profile)[.]h")
 set(allowed_benchmarks "benchmarks/" "planners/" "environments/" "dynamics/" "reports/")
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "voronaut/benchmarks/cli/options.h"
-#include "voronaut/planners/catalog.h"
+#include "voronaut/planners/catalog/catalog.h"
 
 // The commands of the program. Each throws what it thinks of its input (ConfigError, StoreError,
 // std::invalid_argument, std::filesystem::filesystem_error) before it has written anything.

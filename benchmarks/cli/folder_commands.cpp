@@ -2,11 +2,11 @@
 #include <stdexcept>
 
 #include "voronaut/benchmarks/cli/commands.h"
-#include "voronaut/benchmarks/digest.h"
-#include "voronaut/benchmarks/output_folder.h"
-#include "voronaut/benchmarks/runner.h"
-#include "voronaut/benchmarks/suite_trials.h"
-#include "voronaut/reports/summary_text.h"
+#include "voronaut/benchmarks/results/digest.h"
+#include "voronaut/benchmarks/results/output_folder.h"
+#include "voronaut/benchmarks/runner/runner.h"
+#include "voronaut/benchmarks/suite/suite_trials.h"
+#include "voronaut/reports/summary/summary_text.h"
 
 namespace voronaut {
 

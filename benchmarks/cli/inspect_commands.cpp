@@ -3,10 +3,10 @@
 #include <ostream>
 
 #include "voronaut/benchmarks/cli/commands.h"
-#include "voronaut/benchmarks/shipped_files.h"
-#include "voronaut/benchmarks/suite_config.h"
-#include "voronaut/benchmarks/suite_trials.h"
-#include "voronaut/environments/world_generators.h"
+#include "voronaut/benchmarks/suite/shipped_files.h"
+#include "voronaut/benchmarks/suite/suite_config.h"
+#include "voronaut/benchmarks/suite/suite_trials.h"
+#include "voronaut/environments/generators/world_generators.h"
 
 namespace voronaut {
 

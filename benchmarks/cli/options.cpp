@@ -4,7 +4,7 @@
 
 #include <CLI/CLI.hpp>
 
-#include "voronaut/benchmarks/build_info.h"
+#include "voronaut/benchmarks/results/build_info.h"
 
 namespace voronaut {
 

@@ -3,9 +3,9 @@
 #include <stdexcept>
 
 #include "voronaut/benchmarks/cli/commands.h"
-#include "voronaut/benchmarks/output_folder.h"
-#include "voronaut/reports/atomic_file.h"
-#include "voronaut/reports/svg_figure.h"
+#include "voronaut/benchmarks/results/output_folder.h"
+#include "voronaut/reports/figures/svg_figure.h"
+#include "voronaut/reports/store/atomic_file.h"
 
 namespace voronaut {
 

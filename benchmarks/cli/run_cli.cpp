@@ -7,8 +7,8 @@
 #include <ompl/util/Console.h>
 
 #include "voronaut/benchmarks/cli/commands.h"
-#include "voronaut/environments/config_error.h"
-#include "voronaut/reports/sqlite.h"
+#include "voronaut/environments/config/config_error.h"
+#include "voronaut/reports/store/sqlite.h"
 
 namespace voronaut {
 

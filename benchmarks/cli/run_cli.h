@@ -1,6 +1,6 @@
 #pragma once
 
-#include "voronaut/planners/catalog.h"
+#include "voronaut/planners/catalog/catalog.h"
 
 namespace voronaut {
 

@@ -8,12 +8,12 @@
 #include <unistd.h>
 
 #include "voronaut/benchmarks/cli/commands.h"
-#include "voronaut/benchmarks/output_folder.h"
-#include "voronaut/benchmarks/process_pool.h"
-#include "voronaut/benchmarks/runner.h"
-#include "voronaut/benchmarks/shipped_files.h"
-#include "voronaut/benchmarks/suite_trials.h"
-#include "voronaut/reports/summary_text.h"
+#include "voronaut/benchmarks/results/output_folder.h"
+#include "voronaut/benchmarks/runner/process_pool.h"
+#include "voronaut/benchmarks/runner/runner.h"
+#include "voronaut/benchmarks/suite/shipped_files.h"
+#include "voronaut/benchmarks/suite/suite_trials.h"
+#include "voronaut/reports/summary/summary_text.h"
 
 namespace voronaut {
 

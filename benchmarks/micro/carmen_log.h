@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "voronaut/environments/scan.h"
+#include "voronaut/environments/sensing/scan.h"
 
 namespace voronaut::micro {
 

@@ -1,7 +1,7 @@
 #include <benchmark/benchmark.h>
 #include <ompl/util/Console.h>
 
-#include "voronaut/benchmarks/episode.h"
+#include "voronaut/benchmarks/episode/episode.h"
 #include "voronaut/environments/world.h"
 
 // The whole closed loop with a scan, a map update and a plan in every vehicle step: what a second

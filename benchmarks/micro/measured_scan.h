@@ -3,7 +3,7 @@
 #include <span>
 #include <vector>
 
-#include "voronaut/environments/scan.h"
+#include "voronaut/environments/sensing/scan.h"
 
 namespace voronaut::micro {
 

@@ -3,9 +3,9 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "voronaut/environments/ray_caster.h"
-#include "voronaut/environments/scan.h"
-#include "voronaut/environments/shape_index.h"
+#include "voronaut/environments/sensing/ray_caster.h"
+#include "voronaut/environments/sensing/scan.h"
+#include "voronaut/environments/shapes/shape_index.h"
 
 namespace voronaut::micro {
 

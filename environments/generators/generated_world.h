@@ -2,9 +2,9 @@
 
 #include <optional>
 
-#include "voronaut/environments/geometry.h"
 #include "voronaut/environments/random.h"
-#include "voronaut/environments/shapes.h"
+#include "voronaut/environments/shapes/geometry.h"
+#include "voronaut/environments/shapes/shapes.h"
 
 namespace voronaut {
 

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "voronaut/environments/geometry.h"
+#include "voronaut/environments/shapes/geometry.h"
 #include "voronaut/planners/mapping/cell_tiles.h"
 
 namespace voronaut {

@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "voronaut/environments/geometry.h"
+#include "voronaut/environments/shapes/geometry.h"
 
 namespace voronaut {
 

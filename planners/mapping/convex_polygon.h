@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "voronaut/environments/geometry.h"
+#include "voronaut/environments/shapes/geometry.h"
 
 // Convex polygons of any number of vertices >= 1: a point, a segment, or strictly convex,
 // counter-clockwise. All answers are exact for the given coordinates.

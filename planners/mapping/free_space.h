@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "voronaut/environments/scan.h"
+#include "voronaut/environments/sensing/scan.h"
 
 namespace voronaut {
 

@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "voronaut/environments/scan.h"
+#include "voronaut/environments/sensing/scan.h"
 #include "voronaut/planners/mapping/cluster_base.h"
 #include "voronaut/planners/mapping/obstacle_snapshot.h"
 #include "voronaut/planners/mapping/point_index.h"

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "voronaut/environments/geometry.h"
+#include "voronaut/environments/shapes/geometry.h"
 
 namespace voronaut {
 

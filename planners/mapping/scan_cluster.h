@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <span>
 
-#include "voronaut/environments/geometry.h"
+#include "voronaut/environments/shapes/geometry.h"
 
 namespace voronaut {
 

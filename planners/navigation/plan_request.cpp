@@ -2,8 +2,8 @@
 
 #include <ompl/geometric/PathGeometric.h>
 
-#include "voronaut/planners/path_conversion.h"
-#include "voronaut/planners/planner_insight.h"
+#include "voronaut/planners/catalog/planner_insight.h"
+#include "voronaut/planners/problem/path_conversion.h"
 
 namespace voronaut {
 namespace ob = ompl::base;

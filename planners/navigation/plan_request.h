@@ -5,8 +5,8 @@
 #include <ompl/base/Planner.h>
 
 #include "voronaut/dynamics/path.h"
-#include "voronaut/planners/catalog.h"
-#include "voronaut/planners/problem.h"
+#include "voronaut/planners/catalog/catalog.h"
+#include "voronaut/planners/problem/problem.h"
 
 // Asking a planner for a path, the same way for every planner.
 namespace voronaut {

@@ -3,10 +3,10 @@
 #include <cstdint>
 #include <string_view>
 
-#include "voronaut/planners/catalog.h"
-#include "voronaut/planners/known_geometry.h"
+#include "voronaut/planners/catalog/catalog.h"
 #include "voronaut/planners/navigation/navigation_config.h"
 #include "voronaut/planners/navigation/path_tracker.h"
+#include "voronaut/planners/problem/known_geometry.h"
 
 namespace voronaut {
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "voronaut/dynamics/path.h"
-#include "voronaut/planners/known_geometry.h"
+#include "voronaut/planners/problem/known_geometry.h"
 
 namespace voronaut {
 

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "voronaut/planners/belief.h"
 #include "voronaut/planners/navigation/navigation_config.h"
+#include "voronaut/planners/problem/belief.h"
 
 namespace voronaut {
 

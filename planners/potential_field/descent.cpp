@@ -4,8 +4,8 @@
 #include <memory>
 #include <numbers>
 
-#include "voronaut/planners/known_geometry.h"
-#include "voronaut/planners/planar_state.h"
+#include "voronaut/planners/problem/known_geometry.h"
+#include "voronaut/planners/problem/planar_state.h"
 
 namespace voronaut {
 

@@ -2,7 +2,7 @@
 
 #include <span>
 
-#include "voronaut/environments/geometry.h"
+#include "voronaut/environments/shapes/geometry.h"
 
 // Khatib's artificial potential field: O. Khatib, "Real-time obstacle avoidance for manipulators
 // and mobile robots", Int. J. Robotics Research 5(1), 1986, doi 10.1177/027836498600500106.

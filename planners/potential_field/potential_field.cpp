@@ -1,7 +1,7 @@
 #include "voronaut/planners/potential_field/potential_field.h"
 
-#include "voronaut/planners/known_geometry.h"
-#include "voronaut/planners/parameter_declaration.h"
+#include "voronaut/planners/catalog/parameter_declaration.h"
+#include "voronaut/planners/problem/known_geometry.h"
 
 namespace voronaut {
 

@@ -2,7 +2,7 @@
 
 #include <memory>
 
-#include "voronaut/planners/planar_state.h"
+#include "voronaut/planners/problem/planar_state.h"
 
 namespace voronaut {
 

@@ -1,9 +1,9 @@
 #pragma once
 
 #include "voronaut/planners/mapping/obstacle_base.h"
-#include "voronaut/planners/ray_range.h"
 #include "voronaut/planners/reactive_voronoi/reactive_step.h"
-#include "voronaut/planners/travel.h"
+#include "voronaut/planners/travel/ray_range.h"
+#include "voronaut/planners/travel/travel.h"
 
 // The papers' planner on a static problem: a mission in miniature. A vehicle that knows nothing
 // senses, maps, decides and moves, and its way is the path.

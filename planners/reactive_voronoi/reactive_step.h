@@ -3,7 +3,7 @@
 #include <optional>
 #include <string_view>
 
-#include "voronaut/planners/belief.h"
+#include "voronaut/planners/problem/belief.h"
 #include "voronaut/planners/reactive_voronoi/reactive_voronoi_config.h"
 #include "voronaut/planners/reactive_voronoi/subgoal.h"
 

@@ -6,8 +6,8 @@
 #include <ompl/base/ScopedState.h>
 #include <ompl/base/goals/GoalSampleableRegion.h>
 
-#include "voronaut/planners/parameter_declaration.h"
-#include "voronaut/planners/planar_state.h"
+#include "voronaut/planners/catalog/parameter_declaration.h"
+#include "voronaut/planners/problem/planar_state.h"
 
 namespace voronaut {
 

@@ -7,11 +7,11 @@
 #include <ompl/base/ScopedState.h>
 #include <ompl/geometric/PathGeometric.h>
 
-#include "voronaut/planners/known_geometry.h"
-#include "voronaut/planners/planner_insight.h"
+#include "voronaut/planners/catalog/planner_insight.h"
+#include "voronaut/planners/problem/known_geometry.h"
 #include "voronaut/planners/reactive_voronoi/mission.h"
 #include "voronaut/planners/reactive_voronoi/reactive_voronoi_config.h"
-#include "voronaut/planners/travel_planner.h"
+#include "voronaut/planners/travel/travel_planner.h"
 
 namespace voronaut {
 

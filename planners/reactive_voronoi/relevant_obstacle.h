@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "voronaut/planners/belief.h"
+#include "voronaut/planners/problem/belief.h"
 #include "voronaut/planners/reactive_voronoi/reactive_voronoi_config.h"
 
 namespace voronaut {

@@ -2,7 +2,7 @@
 
 #include <span>
 
-#include "voronaut/environments/geometry.h"
+#include "voronaut/environments/shapes/geometry.h"
 #include "voronaut/planners/reactive_voronoi/relevant_obstacle.h"
 
 // Where the papers' modes send the vehicle: small functions of points, each with the paper's words.

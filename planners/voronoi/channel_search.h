@@ -4,7 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include "voronaut/environments/geometry.h"
+#include "voronaut/environments/shapes/geometry.h"
 #include "voronaut/planners/voronoi/delaunay.h"
 
 namespace voronaut {

@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "voronaut/environments/geometry.h"
+#include "voronaut/environments/shapes/geometry.h"
 
 // Delaunay triangulation of points that become known one after another: insertion and Lawson's edge
 // flips (Guibas and Stolfi, ACM TOG 4(2), 1985, https://doi.org/10.1145/282918.282923). Its dual is

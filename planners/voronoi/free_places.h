@@ -3,7 +3,7 @@
 #include <span>
 #include <vector>
 
-#include "voronaut/environments/geometry.h"
+#include "voronaut/environments/shapes/geometry.h"
 
 namespace voronaut {
 

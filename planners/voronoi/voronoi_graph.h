@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "voronaut/environments/geometry.h"
+#include "voronaut/environments/shapes/geometry.h"
 #include "voronaut/planners/voronoi/delaunay.h"
 
 // The part of the Voronoi diagram along which a disc can move: Bhattacharya and Gavrilova, IEEE

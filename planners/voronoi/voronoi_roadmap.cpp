@@ -12,8 +12,8 @@
 #include <ompl/config.h>
 #include <ompl/geometric/PathGeometric.h>
 
-#include "voronaut/planners/parameter_declaration.h"
-#include "voronaut/planners/planar_state.h"
+#include "voronaut/planners/catalog/parameter_declaration.h"
+#include "voronaut/planners/problem/planar_state.h"
 
 namespace voronaut {
 

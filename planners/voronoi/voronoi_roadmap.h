@@ -7,8 +7,8 @@
 #include <ompl/base/Planner.h>
 #include <ompl/base/goals/GoalSampleableRegion.h>
 
-#include "voronaut/planners/known_geometry.h"
-#include "voronaut/planners/planner_insight.h"
+#include "voronaut/planners/catalog/planner_insight.h"
+#include "voronaut/planners/problem/known_geometry.h"
 #include "voronaut/planners/voronoi/voronoi_router.h"
 
 namespace voronaut {

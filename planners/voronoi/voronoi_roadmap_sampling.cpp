@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "voronaut/planners/planar_state.h"
+#include "voronaut/planners/problem/planar_state.h"
 #include "voronaut/planners/voronoi/boundary_sampling.h"
 #include "voronaut/planners/voronoi/voronoi_roadmap.h"
 

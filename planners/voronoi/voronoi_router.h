@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "voronaut/environments/geometry.h"
+#include "voronaut/environments/shapes/geometry.h"
 #include "voronaut/planners/voronoi/channel_search.h"
 #include "voronaut/planners/voronoi/delaunay.h"
 #include "voronaut/planners/voronoi/graph_search.h"

@@ -1,4 +1,4 @@
-// What the page was given (reports/report_data.h).
+// What the page was given (reports/page/report_data.h).
 
 export interface Estimate {
   value: number | null;

@@ -25,7 +25,7 @@ function(hex_to_base64 hex result)
   set(${result} "${text}${digit}=" PARENT_SCOPE)
 endfunction()
 
-set(source "#include \"voronaut/reports/web_assets.h\"\n\nnamespace voronaut {\n\nnamespace {\n\n")
+set(source "#include \"voronaut/reports/page/web_assets.h\"\n\nnamespace voronaut {\n\nnamespace {\n\n")
 foreach(asset TEMPLATE STYLE SCRIPT)
   file(READ "${${asset}}" hex HEX)
   string(REGEX REPLACE "(..)" "'\\\\x\\1'," bytes "${hex}")

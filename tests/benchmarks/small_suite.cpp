@@ -1,9 +1,9 @@
-#include "small_suite.h"
+#include "voronaut/tests/benchmarks/small_suite.h"
 
 #include <cstdlib>
 #include <stdexcept>
 
-#include "voronaut/benchmarks/sha256.h"
+#include "voronaut/benchmarks/results/sha256.h"
 
 namespace voronaut {
 

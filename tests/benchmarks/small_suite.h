@@ -4,8 +4,8 @@
 #include <functional>
 #include <string>
 
-#include "voronaut/benchmarks/runner.h"
-#include "voronaut/benchmarks/suite_config.h"
+#include "voronaut/benchmarks/runner/runner.h"
+#include "voronaut/benchmarks/suite/suite_config.h"
 
 // Suites of a few trials that no planner has to fly: a made-up flight answers for each.
 namespace voronaut {

@@ -1,4 +1,4 @@
-#include "planar_problem.h"
+#include "voronaut/tests/conformance/planar_problem.h"
 
 #include <ompl/base/ScopedState.h>
 #include <ompl/base/goals/GoalStates.h>

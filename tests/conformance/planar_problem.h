@@ -10,7 +10,7 @@
 #include <ompl/base/SpaceInformation.h>
 #include <ompl/base/spaces/RealVectorStateSpace.h>
 
-#include "voronaut/environments/geometry.h"
+#include "voronaut/environments/shapes/geometry.h"
 
 // A planning problem as any OMPL user would pose it: a plane, a validity checker, nothing else.
 namespace voronaut::test {

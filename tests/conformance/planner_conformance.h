@@ -12,7 +12,7 @@
 #include <ompl/base/terminationconditions/IterationTerminationCondition.h>
 #include <ompl/geometric/PathGeometric.h>
 
-#include "planar_problem.h"
+#include "voronaut/tests/conformance/planar_problem.h"
 
 // What OMPL's contract asks of a planner beyond a signature: after OMPL's own
 // tests/base/PlannerTest and doc/markdown/newPlanner. Include it in one source of a test program

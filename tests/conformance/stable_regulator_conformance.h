@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "regulator_conformance.h"
+#include "voronaut/tests/conformance/regulator_conformance.h"
 
 // What every regulator that flies promises beyond RegulatorConformance.
 namespace voronaut::testing {

@@ -1,6 +1,6 @@
 // The regulators on the full nonlinear model: steps, missions and stops,
 // held against the numbers of an independent simulation.
-#include "closed_loop.h"
+#include "voronaut/tests/dynamics/closed_loop.h"
 
 #include <cmath>
 

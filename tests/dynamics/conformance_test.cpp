@@ -1,8 +1,8 @@
 #include <string>
 
-#include "../conformance/model_conformance.h"
-#include "../conformance/regulator_conformance.h"
-#include "../conformance/stable_regulator_conformance.h"
+#include "voronaut/tests/conformance/model_conformance.h"
+#include "voronaut/tests/conformance/regulator_conformance.h"
+#include "voronaut/tests/conformance/stable_regulator_conformance.h"
 
 namespace voronaut::testing {
 namespace {

@@ -4,7 +4,7 @@
 #include <ompl/geometric/SimpleSetup.h>
 #include <ompl/tools/benchmark/Benchmark.h>
 
-#include "voronaut/planners/catalog.h"
+#include "voronaut/planners/catalog/catalog.h"
 
 namespace ob = ompl::base;
 

@@ -1,4 +1,4 @@
-#include "synthetic_run.h"
+#include "voronaut/tests/reports/synthetic_run.h"
 
 #include <algorithm>
 #include <array>

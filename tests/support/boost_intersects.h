@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "voronaut/environments/geometry.h"
+#include "voronaut/environments/shapes/geometry.h"
 
 namespace voronaut {
 

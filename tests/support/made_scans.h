@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "voronaut/environments/scan.h"
+#include "voronaut/environments/sensing/scan.h"
 
 namespace voronaut {
 

@@ -4,9 +4,9 @@
 #include <memory>
 #include <vector>
 
-#include "voronaut/environments/geometry.h"
 #include "voronaut/environments/random.h"
-#include "voronaut/environments/scan.h"
+#include "voronaut/environments/sensing/scan.h"
+#include "voronaut/environments/shapes/geometry.h"
 
 // Scans for property tests of the map: from circles and walls by brute force, and from a lattice,
 // where coordinates are small integers and everything that can touch or be collinear is.

@@ -1,0 +1,60 @@
+#pragma once
+
+#include <memory>
+
+#include <ompl/base/Planner.h>
+
+#include "voronaut/benchmarks/episode/episode_log.h"
+#include "voronaut/benchmarks/suite/trial.h"
+#include "voronaut/dynamics/model.h"
+#include "voronaut/dynamics/regulator.h"
+#include "voronaut/environments/random.h"
+#include "voronaut/planners/navigation/gaze.h"
+#include "voronaut/planners/navigation/path_tracker.h"
+#include "voronaut/planners/navigation/plan_request.h"
+#include "voronaut/planners/navigation/replan_policy.h"
+#include "voronaut/planners/navigation/speed_rule.h"
+
+namespace voronaut {
+
+// The parts of one flight, wired to each other and to the truth. Each is usable alone; this is only
+// where they meet.
+struct Flight {
+  Flight(const TrialSpec& spec, const PlannerCatalog& planners, bool keep_scans);
+
+  // The stages of the loop, in the order of the data.
+  void sense(const VehicleState& state, double now_s);
+  void update_map();
+  void plan(const VehicleState& state, double now_s);
+  Setpoint navigate(const VehicleState& state);
+  void record_scan(const Setpoint& setpoint);
+
+  bool scan_is_due(std::size_t tick) const { return tick % ticks_per_scan == 0; }
+
+  const TrialSpec& spec;
+  const bool keep_scans;
+  const std::size_t ticks_per_scan;
+
+  std::unique_ptr<Model> model;
+  std::unique_ptr<Regulator> regulator;
+  RangeFinder range_finder;
+  Random sensor_noise;
+  Scan scan;
+  ObstacleBase map;
+  Belief belief;
+  PlanningProblem problem;
+  PlannerTraits planner_traits;
+  ompl::base::PlannerPtr planner;
+  ReplanPolicy replan_policy;
+  PathTracker tracker;
+  GazePolicy gaze;
+  Braking braking;
+  Referee referee;
+  bool departed = false;
+  EpisodeLog log;
+};
+
+// Flies from the start until the referee has a verdict.
+EpisodeLog fly(Flight& flight);
+
+}  // namespace voronaut

@@ -1,0 +1,74 @@
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "voronaut/benchmarks/episode/referee.h"
+#include "voronaut/dynamics/path.h"
+#include "voronaut/dynamics/state.h"
+#include "voronaut/planners/navigation/replan_policy.h"
+
+// What happened in an episode, tick by tick: the only source of metrics and traces.
+namespace voronaut {
+
+// After each vehicle step.
+struct Tick {
+  double t_s = 0;
+  VehicleState state;
+  double clearance_m = 0;  // centre to the true surface
+};
+
+// At each scan.
+struct ScanEvent {
+  std::size_t tick = 0;  // index of the state in which the scan was taken
+  Setpoint setpoint;     // in force after it
+  int mode = -1;         // index into EpisodeLog::modes
+  int plan = -1;         // index into EpisodeLog::plans: the one being followed
+  ReplanReason replan = ReplanReason::none;
+  std::size_t known_points = 0;
+  double planning_time_us = 0;
+  std::vector<float> range_m;  // empty unless the episode keeps scans
+};
+
+// Wall time of one stage of the loop, one sample per call.
+class StageTimes {
+ public:
+  template <class Stage>
+  decltype(auto) measure(Stage&& stage) {
+    const Stopwatch watch{*this};
+    return stage();
+  }
+  const std::vector<double>& samples_us() const { return samples_us_; }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  struct Stopwatch {
+    StageTimes& times;
+    Clock::time_point start = Clock::now();
+    ~Stopwatch() {
+      const std::chrono::duration<double, std::micro> spent = Clock::now() - start;
+      times.samples_us_.push_back(spent.count());
+    }
+  };
+  std::vector<double> samples_us_;
+};
+
+struct EpisodeLog {
+  std::vector<Tick> ticks;  // the first is the start, at t = 0
+  std::vector<ScanEvent> scans;
+  std::vector<std::string> modes;  // in the order of their first use
+  std::vector<Path> plans;
+  double departure_s = 0;  // when the vehicle had its height and set off
+  std::int64_t replans = 0;
+  std::int64_t budget_stops = 0;  // solves that ended because their budget was spent
+  Verdict verdict{Outcome::invalid, ""};
+  double end_s = 0;
+
+  StageTimes mapping;
+  StageTimes planning;
+  StageTimes step;
+};
+
+}  // namespace voronaut

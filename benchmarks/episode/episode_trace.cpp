@@ -1,0 +1,110 @@
+#include "voronaut/benchmarks/episode/episode_trace.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace voronaut {
+
+namespace {
+
+TracePoint trace_point(const Vec2& p) { return {p.x(), p.y()}; }
+
+std::vector<TracePoint> vertices(const Path& path) {
+  std::vector<TracePoint> points{trace_point(path.front())};
+  for (const PathSegment& segment : path.segments()) points.push_back(trace_point(segment.end));
+  return points;
+}
+
+// Angle between the body's z axis and the vertical; drawn only, so any cosine of rounding is
+// clamped.
+double tilt_rad(const VehicleState& state) {
+  const double cosine = (state.q_world_body * Vec3::UnitZ()).z();
+  return std::acos(std::clamp(cosine, -1.0, 1.0));
+}
+
+TraceFrame frame_at(const Tick& tick) {
+  const VehicleState& state = tick.state;
+  TraceFrame frame;
+  frame.t_s = tick.t_s;
+  frame.x_m = state.p_world.x();
+  frame.y_m = state.p_world.y();
+  frame.z_m = state.p_world.z();
+  frame.vx_m_s = state.v_world.x();
+  frame.vy_m_s = state.v_world.y();
+  const Vec2 heading = state.heading_world();
+  frame.heading_x = heading.x();
+  frame.heading_y = heading.y();
+  frame.tilt_rad = tilt_rad(state);
+  frame.clearance_m = tick.clearance_m;
+  frame.actuators = state.actuators;
+  frame.target_x_m = frame.x_m;
+  frame.target_y_m = frame.y_m;
+  return frame;
+}
+
+TraceFrame frame_at(const ScanEvent& event, const Tick& tick) {
+  TraceFrame frame = frame_at(tick);
+  frame.planning_time_us = event.planning_time_us;
+  frame.target_x_m = event.setpoint.p_target_world.x();
+  frame.target_y_m = event.setpoint.p_target_world.y();
+  frame.mode = event.mode;
+  frame.plan = event.plan;
+  frame.known_points = event.known_points;
+  frame.range_m = event.range_m;
+  return frame;
+}
+
+}  // namespace
+
+Trace trace_of(const TrialSpec& spec, const EpisodeLog& log, const ObstacleSnapshot& known) {
+  Trace trace;
+  trace.trial_id = spec.trial_id;
+  trace.body_radius_m = spec.vehicle.body_radius_m;
+  trace.clearance_min_m = spec.vehicle.clearance_min_m;
+  trace.field_of_view_rad = spec.range_finder.field_of_view_rad;
+  trace.max_range_m = spec.range_finder.max_range_m;
+  trace.modes = log.modes;
+  for (const Path& plan : log.plans) trace.plans.push_back(vertices(plan));
+  for (const Vec2& p : known.points()) trace.known_points.push_back(trace_point(p));
+  for (PointId id = 0; id < trace.known_points.size(); ++id) {
+    trace.cluster_of.push_back(known.cluster_of(id));
+  }
+  for (const ClusterId cluster : known.clusters()) {
+    auto& hull = trace.hulls.emplace_back();
+    for (const Vec2& p : known.hull(cluster)) hull.push_back(trace_point(p));
+  }
+  for (const ScanEvent& event : log.scans) {
+    trace.frames.push_back(frame_at(event, log.ticks[event.tick]));
+  }
+  TraceFrame end = frame_at(log.ticks.back());
+  end.known_points = trace.known_points.size();
+  if (!trace.frames.empty()) {
+    end.mode = trace.frames.back().mode;
+    end.plan = trace.frames.back().plan;
+  }
+  trace.frames.push_back(std::move(end));
+  return trace;
+}
+
+TraceWorld trace_world(const Scenario& scenario, const std::string& world_id) {
+  TraceWorld world;
+  world.world_id = world_id;
+  world.bounds_min = trace_point(scenario.world->bounds().min);
+  world.bounds_max = trace_point(scenario.world->bounds().max);
+  world.start = trace_point(scenario.start_world);
+  world.goal = trace_point(scenario.goal_world);
+  const Shapes& shapes = scenario.world->shapes();
+  for (const Circle& c : shapes.circles) {
+    world.circles.push_back({c.center.x(), c.center.y(), c.radius_m});
+  }
+  for (const Polygon& polygon : shapes.polygons) {
+    auto& outline = world.polygons.emplace_back();
+    for (const Vec2& p : polygon.vertices) outline.push_back(trace_point(p));
+  }
+  for (const Segment& s : shapes.segments) {
+    world.segments.push_back({trace_point(s.a), trace_point(s.b)});
+  }
+  return world;
+}
+
+}  // namespace voronaut

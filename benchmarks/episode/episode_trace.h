@@ -1,0 +1,11 @@
+#pragma once
+
+#include "voronaut/benchmarks/episode/episode_log.h"
+#include "voronaut/benchmarks/suite/trial.h"
+
+namespace voronaut {
+
+// The log of a flight as reports draw it: one frame per scan and one at the end.
+Trace trace_of(const TrialSpec& spec, const EpisodeLog& log, const ObstacleSnapshot& known);
+
+}  // namespace voronaut

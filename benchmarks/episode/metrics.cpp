@@ -1,0 +1,84 @@
+#include "voronaut/benchmarks/episode/metrics.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <cstdio>
+#include <numeric>
+
+namespace voronaut {
+
+double path_length_m(std::span<const Tick> ticks) {
+  double length_m = 0;
+  for (std::size_t i = 1; i < ticks.size(); ++i) {
+    length_m += (ticks[i].state.p_world - ticks[i - 1].state.p_world).head<2>().norm();
+  }
+  return length_m;
+}
+
+double clearance_min_m(std::span<const Tick> ticks) {
+  if (ticks.empty()) return kAbsent;
+  return std::ranges::min(ticks, {}, &Tick::clearance_m).clearance_m;
+}
+
+double clearance_mean_m(std::span<const Tick> ticks) {
+  if (ticks.empty()) return kAbsent;
+  double sum_m = 0;
+  for (const Tick& tick : ticks) sum_m += tick.clearance_m;
+  return sum_m / static_cast<double>(ticks.size());
+}
+
+double speed_mean_m_s(std::span<const Tick> ticks, double departure_s) {
+  const auto first =
+      std::ranges::find_if(ticks, [&](const Tick& t) { return t.t_s >= departure_s; });
+  const auto under_way = ticks.subspan(static_cast<std::size_t>(first - ticks.begin()));
+  if (under_way.size() < 2) return 0;
+  return path_length_m(under_way) / (under_way.back().t_s - under_way.front().t_s);
+}
+
+double speed_max_m_s(std::span<const Tick> ticks) {
+  double fastest_m_s = 0;
+  for (const Tick& tick : ticks) {
+    fastest_m_s = std::max(fastest_m_s, tick.state.v_world.head<2>().norm());
+  }
+  return fastest_m_s;
+}
+
+double spl(bool success, double shortest_m, double flown_m) {
+  if (!success) return 0;
+  return shortest_m / std::max(flown_m, shortest_m);
+}
+
+double mean(std::span<const double> samples) {
+  if (samples.empty()) return kAbsent;
+  return std::accumulate(samples.begin(), samples.end(), 0.0) / static_cast<double>(samples.size());
+}
+
+double percentile(std::vector<double> samples, double percent) {
+  if (samples.empty()) return kAbsent;
+  const double rank = std::ceil(percent / 100 * static_cast<double>(samples.size()));
+  const auto nth = samples.begin() + static_cast<std::ptrdiff_t>(std::max(rank, 1.0)) - 1;
+  std::nth_element(samples.begin(), nth, samples.end());
+  return *nth;
+}
+
+std::string state_digest(std::span<const Tick> ticks) {
+  std::uint64_t hash = 14695981039346656037ULL;
+  const auto add = [&hash](double value) {
+    hash = (hash ^ std::bit_cast<std::uint64_t>(value)) * 1099511628211ULL;
+  };
+  for (const Tick& tick : ticks) {
+    const VehicleState& s = tick.state;
+    for (int i = 0; i < 3; ++i) {
+      add(s.p_world[i]);
+      add(s.v_world[i]);
+      add(s.w_body[i]);
+    }
+    for (int i = 0; i < 4; ++i) add(s.q_world_body.coeffs()[i]);
+  }
+  char text[17];
+  std::snprintf(text, sizeof text, "%016llx", static_cast<unsigned long long>(hash));
+  return text;
+}
+
+}  // namespace voronaut

@@ -1,0 +1,111 @@
+#include "voronaut/benchmarks/results/manifest.h"
+
+#include "voronaut/benchmarks/results/build_info.h"
+#include "voronaut/benchmarks/results/sha256.h"
+#include "voronaut/benchmarks/suite/config_json.h"
+
+namespace voronaut {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json pairs_json(const std::vector<std::pair<std::string, std::string>>& pairs) {
+  Json object = Json::object();
+  for (const auto& [key, value] : pairs) object[key] = value;
+  return object;
+}
+
+template <class... Configs>
+Json variant_json(const std::variant<Configs...>& config) {
+  return std::visit([](const auto& chosen) { return config_json(chosen); }, config);
+}
+
+Json vehicle_json(const VehicleEntry& entry) {
+  return {
+      {"label", entry.vehicle.name},
+      {"params", config_json(entry.vehicle)},
+      {"model", variant_json(entry.vehicle.model)},
+      {"regulator", {{"name", entry.regulator_name}, {"params", variant_json(entry.regulator)}}}};
+}
+
+Json planner_json(const PlannerSpec& planner) {
+  return {{"label", planner.label}, {"name", planner.name}, {"params", Json(planner.params)}};
+}
+
+template <class Item, class ToJson>
+Json list_json(const std::vector<Item>& items, const ToJson& to_json) {
+  Json list = Json::array();
+  for (const Item& item : items) list.push_back(to_json(item));
+  return list;
+}
+
+Json scenario_json(const ScenarioSpec& scenario) {
+  return {{"name", scenario.name()},
+          {"group", scenario.group()},
+          {"random", scenario.random()},
+          {"definition_sha256", sha256_hex(scenario.definition())}};
+}
+
+// What decides results; the rest decides how many and what is kept of them.
+Json defining_json(const SuiteConfig& suite) {
+  return {{"suite", suite.name},
+          {"seed", suite.seed},
+          {"scenarios", list_json(suite.scenarios, scenario_json)},
+          {"vehicles", list_json(suite.vehicles, vehicle_json)},
+          {"planners", list_json(suite.planners, planner_json)},
+          {"range_finder", config_json(suite.range_finder)},
+          {"mapping", config_json(suite.mapping)},
+          {"navigation", config_json(suite.navigation)},
+          {"loop", config_json(suite.loop)},
+          {"budget",
+           {{"state_checks", suite.budget.state_checks},
+            {"ptc_evaluations", suite.budget.ptc_evaluations}}}};
+}
+
+Json full_json(const SuiteConfig& suite) {
+  Json json = defining_json(suite);
+  json["repetitions"] = suite.repetitions;
+  json["limits"] = config_json(suite.limits);
+  json["traces"] = suite.traces == TraceKeeping::all        ? "all"
+                   : suite.traces == TraceKeeping::failures ? "failures"
+                                                            : "none";
+  return json;
+}
+
+Json build_json() {
+  const BuildInfo build = build_info();
+  return {{"version", build.version},       {"commit", build.commit},
+          {"dirty", build.dirty},           {"compiler", build.compiler},
+          {"build_type", build.build_type}, {"flags", build.flags},
+          {"program_sha256", program_id()}, {"libraries", pairs_json(build.libraries)}};
+}
+
+}  // namespace
+
+SuiteConfig SuiteSource::read(const PlannerCatalog& planners) const {
+  SuiteConfig suite = read_suite(ConfigNode::parse(text, file), data_argument, planners);
+  if (!seed.empty()) suite.seed = std::stoull(seed);
+  if (!repetitions.empty()) suite.repetitions = std::stoi(repetitions);
+  return suite;
+}
+
+std::string suite_json(const SuiteConfig& suite) { return full_json(suite).dump(2); }
+
+std::string suite_identity(const SuiteConfig& suite) {
+  return sha256_hex(defining_json(suite).dump());
+}
+
+std::string manifest_json(const SuiteSource& source, const SuiteConfig& suite,
+                          const std::vector<std::string>& command, const std::string& started_utc) {
+  const Json manifest = {{"program", build_json()},
+                         {"machine", pairs_json(machine_facts())},
+                         {"command", command},
+                         {"started_utc", started_utc},
+                         {"suite_file", source.file},
+                         {"suite_text", source.text},
+                         {"configuration", full_json(suite)}};
+  return manifest.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace voronaut

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "voronaut/benchmarks/suite/suite_config.h"
+
+namespace voronaut {
+
+// A suite file as text with what the command line changed about it: enough to read it again, at any
+// time, from a folder of results.
+struct SuiteSource {
+  std::string file;  // as its messages and its relative paths need it
+  std::string text;
+  std::string data_argument;
+  std::string seed;         // replaces the suite's; empty: not given
+  std::string repetitions;  // the same
+
+  // Throws ConfigError, std::invalid_argument.
+  SuiteConfig read(const PlannerCatalog& planners) const;
+};
+
+// The full configuration with every default, as JSON with a fixed order of keys.
+std::string suite_json(const SuiteConfig& suite);
+
+// SHA-256 over what a folder of results must agree about: the whole suite but for repetitions,
+// limits and traces. Rows of two suites with different identities do not belong into one table.
+std::string suite_identity(const SuiteConfig& suite);
+
+// manifest.json: build, machine, command, configuration, the suite's text.
+std::string manifest_json(const SuiteSource& source, const SuiteConfig& suite,
+                          const std::vector<std::string>& command, const std::string& started_utc);
+
+}  // namespace voronaut

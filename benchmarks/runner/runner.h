@@ -1,0 +1,39 @@
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <string>
+
+#include "voronaut/benchmarks/runner/progress.h"
+#include "voronaut/benchmarks/suite/shortest_references.h"
+#include "voronaut/benchmarks/suite/suite_config.h"
+#include "voronaut/benchmarks/suite/trial.h"
+#include "voronaut/reports/store/store.h"
+
+namespace voronaut {
+
+// Flies one trial; called in a process of its own. run_trial() with a catalogue bound to it.
+using FlyTrial = std::function<TrialResult(const TrialSpec& spec, bool keep_trace)>;
+
+struct RunReport {
+  std::size_t stored = 0;  // were there before
+  std::size_t done = 0;    // are there now because of this run
+  bool interrupted = false;
+};
+
+// Runs what the store lacks of a suite, `jobs` trials at once, each in its own process under the
+// suite's limits. Every trial becomes a row as soon as it has ended, whatever became of it. SIGINT
+// and SIGTERM end the run early; a run that was ended in any way is completed by the next.
+RunReport run_suite(const SuiteConfig& suite, const FlyTrial& fly, std::size_t jobs,
+                    ShortestReferences& references, ResultStore& store, Progress& progress);
+
+// The same for one trial, apart from any store. What the planner prints stays visible.
+RunRecord run_alone(const TrialSpec& spec, const TrialLimits& limits, const FlyTrial& fly);
+
+// Outcomes that say that something is wrong with the planner or the suite, not how well it flew.
+bool is_failure(Outcome outcome);
+
+// The row of a trial that did not come back by itself.
+RunRecord record_of_failure(const TrialSpec& spec, Outcome outcome, const std::string& reason);
+
+}  // namespace voronaut

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <functional>
+#include <map>
+#include <string>
+#include <utility>
+
+#include "voronaut/benchmarks/suite/trial.h"
+
+namespace voronaut {
+
+// Lengths of the shortest paths on the true world, each computed once for a world and a radius.
+class ShortestReferences {
+ public:
+  // Length from start to goal of a scenario for a disc of that radius; NaN if there is no path.
+  using Length = std::function<double(const Scenario& scenario, double radius_m)>;
+
+  explicit ShortestReferences(Length length) : length_(std::move(length)) {}
+  // By environments/shortest_path/shortest_path.h.
+  static ShortestReferences exact();
+
+  // Fills shortest_length_m (at the body's radius) and shortest_at_clearance_m.
+  void add_to(TrialSpec& spec);
+
+ private:
+  double length_m(const TrialSpec& spec, double radius_m);
+
+  Length length_;
+  std::map<std::pair<std::string, double>, double> known_;  // by world id and radius
+};
+
+}  // namespace voronaut

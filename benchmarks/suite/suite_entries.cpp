@@ -1,0 +1,110 @@
+#include <stdexcept>
+
+#include <ompl/base/Planner.h>
+
+#include "voronaut/benchmarks/suite/suite_config.h"
+#include "voronaut/environments/config/config_reader.h"
+#include "voronaut/environments/config/nearest_name.h"
+
+namespace voronaut {
+
+namespace {
+
+// What a library says about a value, said at the place where the user wrote it.
+template <class Work>
+auto at(const ConfigNode& node, const Work& work) {
+  try {
+    return work();
+  } catch (const std::invalid_argument& error) {
+    throw node.error(error.what());
+  }
+}
+
+std::string known_name(const ConfigNode& node, const std::string& kind,
+                       const std::vector<std::string>& known) {
+  const std::string name = node.text();
+  for (const std::string& each : known)
+    if (each == name) return name;
+  throw node.error("no " + kind + " " + in_quotes(name) + allowed_names(name, known));
+}
+
+// An entry is a name alone or a map with `name` and more.
+ConfigNode name_node(const ConfigNode& entry) {
+  return entry.is_map() ? entry.child("name") : entry;
+}
+
+template <class... Configs>
+void read_params(const ConfigNode& entry, std::string_view key, std::variant<Configs...>& config) {
+  if (const auto node = entry.find(key))
+    std::visit([&](auto& chosen) { read_into(*node, chosen); }, config);
+}
+
+std::vector<std::string> names_of(const PlannerCatalog& planners) {
+  std::vector<std::string> names;
+  for (const PlannerEntry* each : planners.entries()) names.push_back(each->name);
+  return names;
+}
+
+// Flags of OMPL's parameters are 0 and 1; YAML's are true and false.
+std::string parameter_text(const ConfigNode& value) {
+  const std::string text = value.text();
+  if (text == "true") return "1";
+  return text == "false" ? "0" : text;
+}
+
+void read_label(const ConfigNode& entry, std::string& label) {
+  const auto node = entry.is_map() ? entry.find("label") : std::nullopt;
+  if (!node) return;
+  label = node->text();
+  if (label.empty()) throw node->error("expected a label, got ''");
+}
+
+}  // namespace
+
+VehicleEntry read_vehicle(const ConfigNode& entry) {
+  if (entry.is_map()) entry.allow_only({"name", "label", "params", "model", "regulator"});
+  VehicleEntry read;
+  read.vehicle = vehicle(known_name(name_node(entry), "vehicle", vehicle_names()));
+  read_label(entry, read.vehicle.name);
+  read.regulator_name = read.vehicle.regulator;
+  std::optional<ConfigNode> regulator_node;
+  if (entry.is_map()) {
+    if (const auto params = entry.find("params")) read_into(*params, read.vehicle);
+    read_params(entry, "model", read.vehicle.model);
+    regulator_node = entry.find("regulator");
+  }
+  if (regulator_node) {
+    if (regulator_node->is_map()) regulator_node->allow_only({"name", "params"});
+    read.regulator_name = known_name(name_node(*regulator_node), "regulator", regulator_names());
+  }
+  read.regulator = regulator(read.regulator_name);
+  if (regulator_node && regulator_node->is_map())
+    read_params(*regulator_node, "params", read.regulator);
+  if (read.vehicle.clearance_min_m < read.vehicle.body_radius_m)
+    throw entry.error("clearance_min_m " + number_text(read.vehicle.clearance_min_m) +
+                      " is less than body_radius_m " + number_text(read.vehicle.body_radius_m));
+  at(entry, [&] { make_model(read.vehicle.model); });
+  at(regulator_node.value_or(entry), [&] { make_regulator(read.regulator, read.vehicle); });
+  return read;
+}
+
+PlannerSpec read_planner(const ConfigNode& entry, const PlannerCatalog& planners) {
+  if (entry.is_map()) entry.allow_only({"name", "label", "params"});
+  PlannerSpec spec;
+  spec.name = known_name(name_node(entry), "planner", names_of(planners));
+  spec.label = spec.name;
+  read_label(entry, spec.label);
+  const auto params = entry.is_map() ? entry.find("params") : std::nullopt;
+
+  PlanningProblem problem({.bounds_world = {Vec2(-1, -1), Vec2(1, 1)}});
+  const auto planner = planners.find(spec.name)->make(problem.space_information());
+  if (!params) return spec;
+  for (const std::string& key : params->keys()) {
+    const ConfigNode value = params->child(key);
+    spec.params[key] = parameter_text(value);
+    at(value, [&] { set_parameters(*planner, {{key, spec.params[key]}}); });
+  }
+  return spec;
+}
+
+}  // namespace voronaut

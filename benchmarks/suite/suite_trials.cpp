@@ -1,0 +1,87 @@
+#include "voronaut/benchmarks/suite/suite_trials.h"
+
+#include <stdexcept>
+
+#include "voronaut/benchmarks/suite/trial_id.h"
+#include "voronaut/environments/random.h"
+
+namespace voronaut {
+
+namespace {
+
+std::uint64_t world_seed(const SuiteConfig& suite, const std::string& scenario,
+                         std::size_t repetition) {
+  return derive_seed(suite.seed, {scenario}, repetition);
+}
+
+}  // namespace
+
+SuiteTrials::SuiteTrials(const SuiteConfig& suite) : suite_(suite) {
+  for (std::size_t scenario = 0; scenario < suite.scenarios.size(); ++scenario) {
+    const bool once = suite.repeat == Repeat::random && !suite.scenarios[scenario].random();
+    const auto repetitions = static_cast<std::size_t>(once ? 1 : suite.repetitions);
+    for (std::size_t i = 0; i < repetitions; ++i) visits_.push_back({scenario, i});
+  }
+}
+
+std::size_t SuiteTrials::total() const {
+  return visits_.size() * suite_.vehicles.size() * suite_.planners.size();
+}
+
+std::optional<PlannedTrial> SuiteTrials::next() {
+  if (next_ == total()) return std::nullopt;
+  const std::size_t in_world = suite_.vehicles.size() * suite_.planners.size();
+  if (next_ % in_world == 0) enter_world();
+  const std::size_t index = next_ % in_world;
+  PlannedTrial planned = trial(suite_.vehicles[index / suite_.planners.size()],
+                               suite_.planners[index % suite_.planners.size()]);
+  ++next_;
+  return planned;
+}
+
+void SuiteTrials::enter_world() {
+  const std::size_t worlds = next_ / (suite_.vehicles.size() * suite_.planners.size());
+  const auto [scenario, repetition] = visits_[worlds];
+  const ScenarioSpec& source = suite_.scenarios[scenario];
+  if (repetition > 0 && !source.random()) return;
+  refusal_.clear();
+  try {
+    scenario_ = source.instantiate(world_seed(suite_, source.name(), repetition));
+    world_id_ = world_id(scenario_);
+  } catch (const std::runtime_error&) {  // its text names files: not for a deterministic column
+    scenario_ = {};
+    scenario_.name = source.name();
+    scenario_.group = source.group();
+    world_id_.clear();
+    refusal_ = "the generator drew no admissible world";
+  }
+}
+
+PlannedTrial SuiteTrials::trial(const VehicleEntry& vehicle, const PlannerSpec& planner) const {
+  const std::size_t worlds = next_ / (suite_.vehicles.size() * suite_.planners.size());
+  const std::size_t repetition = visits_[worlds].repetition;
+  TrialSpec spec;
+  spec.suite = suite_.name;
+  spec.scenario = scenario_;
+  spec.world_id = world_id_;
+  spec.vehicle = vehicle.vehicle;
+  spec.regulator_name = vehicle.regulator_name;
+  spec.regulator = vehicle.regulator;
+  spec.planner = planner;
+  spec.range_finder = suite_.range_finder;
+  spec.mapping = suite_.mapping;
+  spec.navigation = suite_.navigation;
+  spec.loop = suite_.loop;
+  spec.budget = suite_.budget;
+  spec.repetition = static_cast<std::int64_t>(repetition);
+  spec.planner_seed = derive_seed(suite_.seed, {scenario_.name, planner.label}, repetition);
+  spec.trial_id = trial_id(spec);
+  return {std::move(spec), refusal_};
+}
+
+void SuiteTrials::check_worlds(const SuiteConfig& suite) {
+  for (const ScenarioSpec& source : suite.scenarios)
+    source.instantiate(world_seed(suite, source.name(), 0));
+}
+
+}  // namespace voronaut

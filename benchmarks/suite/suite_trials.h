@@ -1,0 +1,51 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "voronaut/benchmarks/suite/suite_config.h"
+#include "voronaut/benchmarks/suite/trial.h"
+
+namespace voronaut {
+
+// A trial as the runner gets it. A random scenario that drew no admissible world leaves no world to
+// fly in: the trial keeps its place with the reason in `refusal`.
+struct PlannedTrial {
+  TrialSpec spec;
+  std::string refusal;
+};
+
+// The trials of a suite one after another, in the order scenario, repetition, vehicle, planner.
+// Worlds are made when it is their turn and shared by the trials in them. The seed of a world comes
+// from (suite seed, scenario, repetition), so every planner and vehicle meets the same world; the
+// planner's from (suite seed, scenario, planner label, repetition).
+class SuiteTrials {
+ public:
+  explicit SuiteTrials(const SuiteConfig& suite);
+
+  std::size_t total() const;
+  std::optional<PlannedTrial> next();
+
+  // Makes the first world of every scenario. Throws ConfigError for one that cannot be made.
+  static void check_worlds(const SuiteConfig& suite);
+
+ private:
+  void enter_world();
+  PlannedTrial trial(const VehicleEntry& vehicle, const PlannerSpec& planner) const;
+
+  // A scenario's turn: which one, for the how manieth time.
+  struct Visit {
+    std::size_t scenario, repetition;
+  };
+
+  const SuiteConfig& suite_;
+  std::vector<Visit> visits_;
+  std::size_t next_ = 0;
+  Scenario scenario_;
+  std::string world_id_;
+  std::string refusal_;
+};
+
+}  // namespace voronaut

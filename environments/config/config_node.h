@@ -1,0 +1,92 @@
+#pragma once
+
+#include <cstdint>
+#include <limits>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "voronaut/environments/config/config_error.h"
+
+namespace voronaut {
+
+struct ConfigTree;
+
+// One value of a YAML file that knows its file, line and path ("world.circles[2]"). Every getter
+// throws ConfigError with the place, what is allowed and what is there. Cheap to copy; the file's
+// tree stays alive as long as one of its nodes. Nothing is converted behind the user's back: text
+// in quotes is no number, "yes" is no flag, NaN and infinities are no numbers.
+class ConfigNode {
+ public:
+  static constexpr double kUnbounded = std::numeric_limits<double>::infinity();
+
+  // The root of a file, which must be a map of keys. Also throws for what is missing, unreadable,
+  // empty, not text, not YAML, or gives a key twice.
+  static ConfigNode read_file(const std::string& path);
+  // The same for a text in memory; `file` is what messages call it.
+  static ConfigNode parse(const std::string& text, const std::string& file);
+
+  const std::string& file() const { return *file_; }
+  int line() const { return line_; }
+  const std::string& path() const { return path_; }  // from the root, empty for the root itself
+  // A file name as it is meant here: relative to the folder of this file.
+  std::string beside(const std::string& relative) const;
+
+  bool is_map() const;
+  bool is_list() const;
+  bool is_scalar() const;
+
+  double number(double lo = -kUnbounded, double hi = kUnbounded) const;  // inclusive bounds
+  std::int64_t whole_number(std::int64_t lo, std::int64_t hi) const;     // inclusive bounds
+  bool flag() const;
+  std::string text() const;
+  // One of these names; its index.
+  std::size_t choice(const std::vector<std::string>& names) const;
+
+  std::vector<ConfigNode> items() const;  // of a list
+  // Of a list of so many; `form` says what is expected, like "[x, y]".
+  std::vector<ConfigNode> items(std::size_t exactly, std::string_view form) const;
+  // The same of numbers within inclusive bounds.
+  std::vector<double> numbers(std::size_t exactly, std::string_view form, double lo = -kUnbounded,
+                              double hi = kUnbounded) const;
+  std::vector<std::string> texts() const;  // of a list of texts
+
+  // Of a map: its keys in the order of the file, a value that may be missing, one that must be
+  // there.
+  std::vector<std::string> keys() const;
+  std::optional<ConfigNode> find(std::string_view key) const;
+  ConfigNode child(std::string_view key) const;
+  // Refuses a key that is not among these, naming the nearest one. Call it before the getters, so
+  // that a misspelt key is called unknown instead of the right one missing.
+  void allow_only(const std::vector<std::string>& allowed) const;
+
+  // For a problem that only the caller can see: throw node.error("lies outside the bounds").
+  ConfigError error(std::string_view problem) const;
+
+ private:
+  ConfigNode(std::shared_ptr<const ConfigTree> tree, std::shared_ptr<const std::string> file,
+             std::string path, int line)
+      : tree_(std::move(tree)), file_(std::move(file)), path_(std::move(path)), line_(line) {}
+
+  ConfigError expected(const std::string& what) const;
+  const std::string* plain_scalar() const;
+  std::string path_of(std::string_view key) const;
+
+  std::shared_ptr<const ConfigTree> tree_;
+  std::shared_ptr<const std::string> file_;
+  std::string path_;
+  int line_ = 0;
+};
+
+// The bytes of a file. Throws ConfigError if it is missing, a folder, unreadable or not UTF-8 text.
+std::string read_text_file(const std::string& path);
+// A finite number as YAML and our CSV files may write it; nothing else around it.
+std::optional<double> parse_number(std::string_view text);
+// The shortest decimal that reads back as the same double, without an exponent from 1e-4 to 1e15;
+// -0 is 0.
+std::string number_text(double value);
+
+}  // namespace voronaut

@@ -1,0 +1,54 @@
+#include "voronaut/planners/catalog/catalog.h"
+
+#include <stdexcept>
+#include <utility>
+
+#include "voronaut/planners/catalog/ompl_planners.h"
+#include "voronaut/planners/potential_field/potential_field.h"
+#include "voronaut/planners/reactive_voronoi/reactive_voronoi.h"
+#include "voronaut/planners/voronoi/voronoi_roadmap.h"
+
+namespace voronaut {
+namespace {
+
+template <class Planner>
+ompl::base::PlannerPtr make(const ompl::base::SpaceInformationPtr& si) {
+  return std::make_shared<Planner>(si);
+}
+
+}  // namespace
+
+PlannerCatalog PlannerCatalog::built_in() {
+  PlannerCatalog catalog;
+  catalog.add({"PotentialField", "Khatib's artificial potential field, followed downhill",
+               PlannerTraits{.plans_on_every_scan = true}, make<PotentialField>});
+  catalog.add({"ReactiveVoronoi",
+               "the papers' planner: past obstacles on the left, on the right, between them",
+               PlannerTraits{.plans_on_every_scan = true}, make<ReactiveVoronoi>});
+  catalog.add(
+      {"VoronoiRoadmap",
+       "the Voronoi diagram of what is known: complete at its clearance, proves \"no path\"",
+       PlannerTraits{}, make<VoronoiRoadmap>});
+  for (PlannerEntry& entry : ompl_planners()) catalog.add(std::move(entry));
+  return catalog;
+}
+
+void PlannerCatalog::add(PlannerEntry entry) {
+  if (find(entry.name))
+    throw std::invalid_argument("planner '" + entry.name + "' is in the catalogue already");
+  const std::string name = entry.name;
+  entries_.emplace(name, std::move(entry));
+}
+
+const PlannerEntry* PlannerCatalog::find(const std::string& name) const {
+  const auto found = entries_.find(name);
+  return found == entries_.end() ? nullptr : &found->second;
+}
+
+std::vector<const PlannerEntry*> PlannerCatalog::entries() const {
+  std::vector<const PlannerEntry*> all;
+  for (const auto& [name, entry] : entries_) all.push_back(&entry);
+  return all;
+}
+
+}  // namespace voronaut

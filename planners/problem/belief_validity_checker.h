@@ -1,0 +1,55 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <utility>
+
+#include <ompl/base/MotionValidator.h>
+#include <ompl/base/StateValidityChecker.h>
+
+#include "voronaut/planners/problem/known_geometry.h"
+#include "voronaut/planners/problem/start_relaxation.h"
+
+namespace voronaut {
+
+// A state is valid if the vehicle's centre lies within the space's bounds and no known point is
+// closer than clearance_min_m (relaxed around a start that is too close already). Exact: no step
+// size. Before the first look_at() nothing is known and everything within bounds is free.
+//
+// One thread. Queries cost O(points near the disc or the swept disc).
+class BeliefValidityChecker : public ompl::base::StateValidityChecker, public KnownGeometry {
+ public:
+  // The space must be one that position_of() (planar_state.h) can read.
+  BeliefValidityChecker(const ompl::base::SpaceInformationPtr& si, double clearance_min_m);
+
+  // What is known from now on, seen from this start. The belief must stay alive until the next
+  // call. Never during a solve.
+  void look_at(const Belief& belief, const Vec2& start_world);
+  // The same for a static problem: no vehicle is under way, belief() is null.
+  void look_at(const ObstacleSnapshot& obstacles, const Vec2& start_world);
+
+  bool isValid(const ompl::base::State* state) const override;
+  // Distance to the closest known point [m]; the diagonal of the bounds if there is none nearer.
+  double clearance(const ompl::base::State* state) const override;
+  using StateValidityChecker::clearance;
+
+  const ObstacleSnapshot& known_obstacles() const override { return obstacles_; }
+  double clearance_min_m() const override { return clearance_min_m_; }
+  bool motion_is_clear(const Vec2& a, const Vec2& b) const override;
+  const Belief* belief() const override { return belief_; }
+
+  // States and motions put to this checker since it was made, each counted once.
+  std::uint64_t checks() const { return checks_; }
+
+ private:
+  double clearance_m(const Vec2& p) const;
+
+  double clearance_min_m_;
+  double horizon_m_;
+  ObstacleSnapshot obstacles_;
+  const Belief* belief_ = nullptr;
+  StartRelaxation relaxation_;
+  mutable std::uint64_t checks_ = 0;
+};
+
+}  // namespace voronaut

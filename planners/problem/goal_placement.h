@@ -1,0 +1,17 @@
+#pragma once
+
+#include <optional>
+
+#include "voronaut/environments/shapes/geometry.h"
+#include "voronaut/planners/mapping/obstacle_base.h"
+
+namespace voronaut {
+
+// Where to plan to: the goal itself if it keeps clearance_m from all known points, else the first
+// of a few places around it, nearest first, within tolerance_m; empty if none does. A planner that
+// is given a goal that is not valid waits for a better one until its budget is spent.
+std::optional<Vec2> place_for_goal(const Vec2& goal_world, double tolerance_m,
+                                   const Bounds& bounds_world, const ObstacleSnapshot& known,
+                                   double clearance_m);
+
+}  // namespace voronaut

@@ -1,0 +1,80 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <string_view>
+
+#include <ompl/base/PlannerTerminationCondition.h>
+#include <ompl/base/ProblemDefinition.h>
+#include <ompl/base/SpaceInformation.h>
+
+#include "voronaut/environments/shapes/geometry.h"
+#include "voronaut/planners/problem/belief.h"
+#include "voronaut/planners/problem/known_geometry.h"
+
+// A planning problem over what is known: known obstacles (unknown counts as free), a start, a goal,
+// bounds and a clearance, as OMPL sees it.
+namespace voronaut {
+
+struct ProblemConfig {
+  Bounds bounds_world;
+  Vec2 goal_world = Vec2::Zero();
+  double goal_tolerance_m = 0.2;
+  double clearance_min_m = 0.4;  // centre of the vehicle to the closest known point
+};
+
+// Work that a solve may spend. Counted work repeats bit for bit, a wall clock does not.
+struct PlanningBudget {
+  std::uint64_t state_checks = 50'000;      // states and motions put to the checker
+  std::uint64_t ptc_evaluations = 200'000;  // cap for planners that stop checking but not searching
+};
+
+class BeliefValidityChecker;
+
+// Lives as long as an episode: OMPL binds a planner to its space information for life. The checkers
+// hold a pointer to the current belief, which is swapped between solves, never during one.
+class PlanningProblem {
+ public:
+  explicit PlanningProblem(const ProblemConfig& config);
+  ~PlanningProblem();
+
+  const ompl::base::SpaceInformationPtr& space_information() const { return si_; }
+  const ompl::base::ProblemDefinitionPtr& definition() const { return definition_; }
+
+  // Look at this belief from now on; it must stay alive until the next call. A start closer than
+  // clearance_min_m to a known point relaxes the clearance inside the disc around it, for every
+  // planner alike; solutions of an earlier solve are dropped.
+  void update(const Belief& belief, const Vec2& start_world);
+  // The same for a static problem: nobody is under way, planners see the whole of it at once.
+  void update(const ObstacleSnapshot& obstacles, const Vec2& start_world);
+
+  // False if no place within the goal's tolerance keeps the clearance: a proof that there is no
+  // path.
+  bool goal_has_place() const { return goal_has_place_; }
+
+  // Stops a solve when the budget is spent (counted from this call). Valid as long as the problem
+  // lives.
+  ompl::base::PlannerTerminationCondition budget(const PlanningBudget& budget);
+
+  // Which part of the latest budget has run out: "state_checks", "ptc_evaluations", or empty if
+  // the solve ended by itself.
+  std::string_view budget_stop() const;
+
+  // What the checkers look at; for the executive, which asks the same exact questions.
+  const KnownGeometry& geometry() const;
+
+  std::uint64_t state_checks() const;  // states and motions checked so far, over all solves
+
+ private:
+  void pose_problem(const Vec2& start_world);
+
+  ProblemConfig config_;
+  ompl::base::SpaceInformationPtr si_;
+  ompl::base::ProblemDefinitionPtr definition_;
+  std::shared_ptr<BeliefValidityChecker> checker_;
+  bool goal_has_place_ = true;
+  struct Spending;
+  std::shared_ptr<Spending> spending_;
+};
+
+}  // namespace voronaut

@@ -1,0 +1,45 @@
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "voronaut/reports/run_record.h"
+#include "voronaut/reports/store/store.h"
+#include "voronaut/reports/summary/summary.h"
+#include "voronaut/reports/trace.h"
+
+// One HTML file that works offline and asks nobody for anything: its content security policy allows
+// the one script and the one style sheet it carries, by their hashes.
+namespace voronaut {
+
+struct ReportInput {
+  std::string title;
+  std::string manifest_json;  // version, commit, machine ...: shown as it is; may be empty
+  std::vector<RunRecord> records;
+  Summary summary;
+  std::vector<TraceWorld> worlds;
+  std::map<std::string, std::string> trace_blobs;  // by trial_id, as compress_trace makes them
+  std::size_t stored_traces = 0;                   // how many there were to choose from
+};
+
+// What a store holds. If its traces take more than `max_trace_bytes` in the report, representative
+// ones are kept (choose_replays) and the report says so.
+ReportInput read_report_input(const ResultStore& store, std::string title,
+                              std::string manifest_json,
+                              std::size_t max_trace_bytes = std::size_t{11} << 20);
+
+// Trials in the order in which they deserve a replay: first, for each scenario in turn, one world
+// with a trial of every planner; then further worlds, those with failures first; then what is left.
+// O(n log n) for n records.
+std::vector<std::string> order_of_replays(const std::vector<RunRecord>& records);
+
+std::string html_report(const ReportInput& input);
+
+// Written to a temporary file beside it and renamed: there is never half a report. Throws
+// std::runtime_error naming the file.
+void write_html_report(const ReportInput& input, const std::filesystem::path& file);
+
+}  // namespace voronaut

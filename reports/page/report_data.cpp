@@ -1,0 +1,177 @@
+#include "voronaut/reports/page/report_data.h"
+
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <map>
+#include <type_traits>
+
+#include "voronaut/reports/page/json_text.h"
+#include "voronaut/reports/page/trace_json.h"
+#include "voronaut/reports/store/deflate.h"
+#include "voronaut/reports/summary/summary_text.h"
+
+namespace voronaut {
+
+namespace {
+
+using nlohmann::json;
+
+double seven_digits(double value) {
+  std::array<char, 32> buffer{};
+  std::snprintf(buffer.data(), buffer.size(), "%.7g", value);
+  return std::strtod(buffer.data(), nullptr);
+}
+
+// A column of few distinct texts, each written once.
+class TextColumn {
+ public:
+  void push(const std::string& text) {
+    const auto [entry, added] = index_of_.try_emplace(text, index_of_.size());
+    if (added) {
+      texts_.push_back(text);
+    }
+    index_.push_back(entry->second);
+  }
+  json take() { return {{"texts", std::move(texts_)}, {"index", std::move(index_)}}; }
+
+ private:
+  std::map<std::string, std::size_t> index_of_;
+  json texts_ = json::array();
+  json index_ = json::array();
+};
+
+template <class Member>
+json column_to_json(const std::vector<RunRecord>& records, Member&& member) {
+  using Value = std::remove_cvref_t<decltype(member(RunRecord()))>;
+  if constexpr (std::is_same_v<Value, double>) {
+    json numbers = json::array();
+    for (const RunRecord& record : records) {
+      const double value = member(record);
+      numbers.push_back(std::isfinite(value) ? json(seven_digits(value)) : json(nullptr));
+    }
+    return numbers;
+  } else {
+    TextColumn column;
+    for (const RunRecord& record : records) {
+      if constexpr (std::is_same_v<Value, Outcome>) {
+        column.push(std::string(to_string(member(record))));
+      } else if constexpr (std::is_same_v<Value, std::int64_t>) {
+        column.push(std::to_string(member(record)));  // a seed has more digits than a double
+      } else {
+        column.push(member(record));
+      }
+    }
+    return column.take();
+  }
+}
+
+// RunRecord::visit hands out one record's members; this turns the walk to one column of all
+// records.
+template <class Value>
+const Value& member_at(const RunRecord& record, std::size_t wanted) {
+  const Value* found = nullptr;
+  std::size_t position = 0;
+  record.visit([&](const char*, const auto& value, ColumnKind) {
+    if constexpr (std::is_same_v<std::remove_cvref_t<decltype(value)>, Value>) {
+      found = position == wanted ? &value : found;
+    }
+    ++position;
+  });
+  return *found;
+}
+
+json trials_to_json(const std::vector<RunRecord>& records) {
+  json columns = json::object();
+  std::size_t position = 0;
+  RunRecord().visit([&](const std::string& name, const auto& value, ColumnKind) {
+    using Value = std::remove_cvref_t<decltype(value)>;
+    if (name != "state_digest") {
+      columns[name] = column_to_json(records, [position](const RunRecord& record) -> const Value& {
+        return member_at<Value>(record, position);
+      });
+    }
+    ++position;
+  });
+  return columns;
+}
+
+json manifest_to_json(const std::string& text) {
+  if (text.empty()) {
+    return json::object();
+  }
+  json manifest = json::parse(text, nullptr, false);
+  return manifest.is_discarded() ? json(text) : manifest;
+}
+
+}  // namespace
+
+std::string report_data_json(const ReportInput& input) {
+  json out;
+  out["title"] = input.title;
+  out["manifest"] = manifest_to_json(input.manifest_json);
+  out["outcomes"] = json::array();
+  for (const Outcome outcome : kOutcomes) {
+    out["outcomes"].push_back(to_string(outcome));
+  }
+  out["summary"] = json::parse(summary_json(input.summary));
+  out["trials"] = trials_to_json(input.records);
+  out["worlds"] = json::array();
+  for (const TraceWorld& world : input.worlds) {
+    out["worlds"].push_back(json::parse(world_to_json(world)));
+  }
+  out["traces"] = json::object();
+  for (const auto& [trial_id, blob] : input.trace_blobs) {
+    out["traces"][trial_id] = base64(blob);
+  }
+  out["stored_traces"] = std::max(input.stored_traces, input.trace_blobs.size());
+  return json_text(out);
+}
+
+std::string escaped_for_script(std::string_view json_text) {
+  std::string out;
+  out.reserve(json_text.size());
+  for (std::size_t i = 0; i < json_text.size(); ++i) {
+    if (json_text[i] == '<') {
+      out += "\\u003c";
+    } else if (json_text.substr(i, 3) == "\xe2\x80\xa8") {
+      out += "\\u2028";
+      i += 2;
+    } else if (json_text.substr(i, 3) == "\xe2\x80\xa9") {
+      out += "\\u2029";
+      i += 2;
+    } else {
+      out += json_text[i];
+    }
+  }
+  return out;
+}
+
+std::string escaped_for_html(std::string_view text) {
+  std::string out;
+  for (const char c : text) {
+    switch (c) {
+      case '&':
+        out += "&amp;";
+        break;
+      case '<':
+        out += "&lt;";
+        break;
+      case '>':
+        out += "&gt;";
+        break;
+      case '"':
+        out += "&quot;";
+        break;
+      case '\'':
+        out += "&#39;";
+        break;
+      default:
+        out += c;
+    }
+  }
+  return out;
+}
+
+}  // namespace voronaut

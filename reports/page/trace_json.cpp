@@ -1,0 +1,264 @@
+#include "voronaut/reports/page/trace_json.h"
+
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+
+#include "voronaut/reports/page/json_text.h"
+#include "voronaut/reports/store/deflate.h"
+
+namespace voronaut {
+
+namespace {
+
+using nlohmann::json;
+
+constexpr int kVersion = 1;
+constexpr double kPerMetre = 1000.0;
+constexpr double kRangePerMetre = 100.0;
+constexpr double kLargest = 9007199254740992.0;  // 2^53: the integers a browser's number can hold
+constexpr std::int64_t kNoReturn = -1;
+
+// One list for both directions: v(key, member of the frame, units per SI unit).
+template <class Visitor>
+void visit_columns(Visitor&& v) {
+  v(
+      "t_ms", [](auto& f) -> auto& { return f.t_s; }, 1000.0);
+  v(
+      "x_mm", [](auto& f) -> auto& { return f.x_m; }, kPerMetre);
+  v(
+      "y_mm", [](auto& f) -> auto& { return f.y_m; }, kPerMetre);
+  v(
+      "z_mm", [](auto& f) -> auto& { return f.z_m; }, kPerMetre);
+  v(
+      "vx_mm_s", [](auto& f) -> auto& { return f.vx_m_s; }, kPerMetre);
+  v(
+      "vy_mm_s", [](auto& f) -> auto& { return f.vy_m_s; }, kPerMetre);
+  v(
+      "heading_x_1e4", [](auto& f) -> auto& { return f.heading_x; }, 1e4);
+  v(
+      "heading_y_1e4", [](auto& f) -> auto& { return f.heading_y; }, 1e4);
+  v(
+      "tilt_1e4", [](auto& f) -> auto& { return f.tilt_rad; }, 1e4);
+  v(
+      "clearance_mm", [](auto& f) -> auto& { return f.clearance_m; }, kPerMetre);
+  v(
+      "actuator0_1e2", [](auto& f) -> auto& { return f.actuators[0]; }, 100.0);
+  v(
+      "actuator1_1e2", [](auto& f) -> auto& { return f.actuators[1]; }, 100.0);
+  v(
+      "actuator2_1e2", [](auto& f) -> auto& { return f.actuators[2]; }, 100.0);
+  v(
+      "actuator3_1e2", [](auto& f) -> auto& { return f.actuators[3]; }, 100.0);
+  v(
+      "planning_time_100ns", [](auto& f) -> auto& { return f.planning_time_us; }, 10.0);
+  v(
+      "target_x_mm", [](auto& f) -> auto& { return f.target_x_m; }, kPerMetre);
+  v(
+      "target_y_mm", [](auto& f) -> auto& { return f.target_y_m; }, kPerMetre);
+  v(
+      "mode", [](auto& f) -> auto& { return f.mode; }, 1.0);
+  v(
+      "plan", [](auto& f) -> auto& { return f.plan; }, 1.0);
+  v(
+      "known", [](auto& f) -> auto& { return f.known_points; }, 1.0);
+}
+
+bool representable(double scaled) { return std::abs(scaled) < kLargest; }
+
+class DeltaWriter {
+ public:
+  void push(double value, double scale) {
+    const double scaled = value * scale;
+    if (!representable(scaled)) {
+      column_.push_back(nullptr);
+      return;
+    }
+    const std::int64_t rounded = std::llround(scaled);
+    column_.push_back(rounded - previous_);
+    previous_ = rounded;
+  }
+  json take() { return std::move(column_); }
+
+ private:
+  json column_ = json::array();
+  std::int64_t previous_ = 0;
+};
+
+class DeltaReader {
+ public:
+  double next(const json& entry, double scale) {
+    if (entry.is_null()) {
+      return std::numeric_limits<double>::quiet_NaN();
+    }
+    sum_ += entry.get<std::int64_t>();
+    return static_cast<double>(sum_) / scale;
+  }
+
+ private:
+  std::int64_t sum_ = 0;
+};
+
+json points_to_json(const std::vector<TracePoint>& points) {
+  json flat = json::array();
+  std::int64_t x_mm = 0;
+  std::int64_t y_mm = 0;
+  for (const TracePoint& p : points) {
+    if (!representable(p.x_m * kPerMetre) || !representable(p.y_m * kPerMetre)) {
+      throw std::invalid_argument("a trace holds a point that is not finite");
+    }
+    const std::int64_t x = std::llround(p.x_m * kPerMetre);
+    const std::int64_t y = std::llround(p.y_m * kPerMetre);
+    flat.push_back(x - x_mm);
+    flat.push_back(y - y_mm);
+    x_mm = x;
+    y_mm = y;
+  }
+  return flat;
+}
+
+std::vector<TracePoint> points_from_json(const json& flat) {
+  if (flat.size() % 2 != 0) {
+    throw std::invalid_argument("a polyline with half a point");
+  }
+  std::vector<TracePoint> points;
+  points.reserve(flat.size() / 2);
+  DeltaReader x;
+  DeltaReader y;
+  for (std::size_t i = 0; i < flat.size(); i += 2) {
+    const double x_m = x.next(flat[i], kPerMetre);
+    points.push_back({x_m, y.next(flat[i + 1], kPerMetre)});
+  }
+  return points;
+}
+
+json polylines_to_json(const std::vector<std::vector<TracePoint>>& polylines) {
+  json list = json::array();
+  for (const auto& polyline : polylines) {
+    list.push_back(points_to_json(polyline));
+  }
+  return list;
+}
+
+std::vector<std::vector<TracePoint>> polylines_from_json(const json& list) {
+  std::vector<std::vector<TracePoint>> polylines;
+  for (const json& polyline : list) {
+    polylines.push_back(points_from_json(polyline));
+  }
+  return polylines;
+}
+
+json ranges_to_json(const std::vector<float>& range_m, double max_range_m) {
+  json scan = json::array();
+  std::int64_t previous = 0;
+  for (const float range : range_m) {
+    const bool hit = range > 0.0F && static_cast<double>(range) < max_range_m;
+    const std::int64_t code =
+        hit ? std::llround(static_cast<double>(range) * kRangePerMetre) : kNoReturn;
+    scan.push_back(code - previous);
+    previous = code;
+  }
+  return scan;
+}
+
+std::vector<float> ranges_from_json(const json& scan, double max_range_m) {
+  std::vector<float> range_m;
+  range_m.reserve(scan.size());
+  std::int64_t code = 0;
+  for (const json& delta : scan) {
+    code += delta.get<std::int64_t>();
+    range_m.push_back(static_cast<float>(
+        code == kNoReturn ? max_range_m : static_cast<double>(code) / kRangePerMetre));
+  }
+  return range_m;
+}
+
+json frames_to_json(const Trace& trace) {
+  json columns = json::object();
+  visit_columns([&](const char* key, auto member, double scale) {
+    DeltaWriter column;
+    for (const TraceFrame& frame : trace.frames) {
+      column.push(static_cast<double>(member(frame)), scale);
+    }
+    columns[key] = column.take();
+  });
+  json scans = json::array();
+  for (const TraceFrame& frame : trace.frames) {
+    scans.push_back(ranges_to_json(frame.range_m, trace.max_range_m));
+  }
+  columns["range_cm"] = std::move(scans);
+  return columns;
+}
+
+std::vector<TraceFrame> frames_from_json(const json& columns, double max_range_m) {
+  const json& scans = columns.at("range_cm");
+  std::vector<TraceFrame> frames(scans.size());
+  visit_columns([&](const char* key, auto member, double scale) {
+    const json& column = columns.at(key);
+    if (column.size() != frames.size()) {
+      throw std::invalid_argument(std::string("column ") + key + " has another length");
+    }
+    DeltaReader reader;
+    for (std::size_t i = 0; i < frames.size(); ++i) {
+      auto& target = member(frames[i]);
+      using Target = std::remove_reference_t<decltype(target)>;
+      const double value = reader.next(column[i], scale);
+      if (std::is_integral_v<Target> && !(value >= (std::is_signed_v<Target> ? -1.0 : 0.0))) {
+        throw std::invalid_argument(std::string("column ") + key + " is not an index");
+      }
+      target = static_cast<Target>(value);
+    }
+  });
+  for (std::size_t i = 0; i < frames.size(); ++i) {
+    frames[i].range_m = ranges_from_json(scans[i], max_range_m);
+  }
+  return frames;
+}
+
+}  // namespace
+
+std::string trace_to_json(const Trace& trace) {
+  json out;
+  out["version"] = kVersion;
+  out["trial_id"] = trace.trial_id;
+  out["body_radius_m"] = trace.body_radius_m;
+  out["clearance_min_m"] = trace.clearance_min_m;
+  out["field_of_view_rad"] = trace.field_of_view_rad;
+  out["max_range_m"] = trace.max_range_m;
+  out["modes"] = trace.modes;
+  out["plans"] = polylines_to_json(trace.plans);
+  out["known_points"] = points_to_json(trace.known_points);
+  out["cluster_of"] = trace.cluster_of;
+  out["hulls"] = polylines_to_json(trace.hulls);
+  out["frames"] = frames_to_json(trace);
+  return json_text(out);
+}
+
+Trace trace_from_json(std::string_view text) {
+  return parse_as("trace", [&] {
+    const json in = json::parse(text);
+    if (in.at("version").get<int>() != kVersion) {
+      throw std::invalid_argument("trace: version " + in.at("version").dump() + ", not " +
+                                  std::to_string(kVersion));
+    }
+    Trace trace;
+    in.at("trial_id").get_to(trace.trial_id);
+    in.at("body_radius_m").get_to(trace.body_radius_m);
+    in.at("clearance_min_m").get_to(trace.clearance_min_m);
+    in.at("field_of_view_rad").get_to(trace.field_of_view_rad);
+    in.at("max_range_m").get_to(trace.max_range_m);
+    in.at("modes").get_to(trace.modes);
+    in.at("cluster_of").get_to(trace.cluster_of);
+    trace.plans = polylines_from_json(in.at("plans"));
+    trace.known_points = points_from_json(in.at("known_points"));
+    trace.hulls = polylines_from_json(in.at("hulls"));
+    trace.frames = frames_from_json(in.at("frames"), trace.max_range_m);
+    return trace;
+  });
+}
+
+std::string compress_trace(const Trace& trace) { return deflate_raw(trace_to_json(trace)); }
+
+Trace decompress_trace(std::string_view blob) { return trace_from_json(inflate_raw(blob)); }
+
+}  // namespace voronaut

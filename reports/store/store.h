@@ -1,0 +1,77 @@
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "voronaut/reports/run_record.h"
+#include "voronaut/reports/store/sqlite.h"
+#include "voronaut/reports/trace.h"
+
+namespace voronaut {
+
+// The results of a suite in one SQLite file: table `trials` (one row per trial, the columns of
+// RunRecord::visit, absent numbers NULL), `worlds` (world_id, json), `traces` (trial_id, raw
+// deflate of the JSON of trace_json.h) and `meta` (key, value). PRAGMA user_version is the schema's
+// version.
+//
+// Each insert is one transaction: a process that is killed at any moment loses at most the trial in
+// flight. The journal is a rollback journal, which also holds on network file systems. One object
+// belongs to one thread of one process: open it anew after fork.
+//
+// Every failure is a StoreError that names the file and quotes SQLite.
+class ResultStore {
+ public:
+  static constexpr int kSchemaVersion = 1;
+
+  // An existing store; an error if the file is not there or was written with another schema.
+  static ResultStore open(const std::filesystem::path& file);
+  // The same, made first if the file is not there.
+  static ResultStore create(const std::filesystem::path& file);
+
+  bool has(std::string_view trial_id) const;
+
+  // False if the trial was there already with the same deterministic columns (nothing is written
+  // then); StoreError naming the column if one of them differs, for the trial is not what its id
+  // says. -0.0 and 0.0 are equal, as SQLite stores them.
+  bool insert(const RunRecord& record, const std::optional<Trace>& trace);
+  // The same with the trace as stored, for merging.
+  bool insert_with_blob(const RunRecord& record, std::string_view trace_blob);
+  // Kept once per world_id.
+  void insert_world(const TraceWorld& world);
+
+  // Ordered by trial_id (by bytes).
+  std::vector<RunRecord> records() const;
+  std::vector<std::string> trial_ids() const;
+  std::optional<RunRecord> record(std::string_view trial_id) const;
+  std::optional<Trace> trace(std::string_view trial_id) const;
+  // Raw deflate of the JSON of trace_json.h.
+  std::optional<std::string> trace_blob(std::string_view trial_id) const;
+  std::map<std::string, std::size_t> trace_sizes() const;  // bytes of each trace_blob
+  std::vector<TraceWorld> worlds() const;                  // ordered by world_id
+
+  void set_meta(std::string_view key, std::string_view value);
+  std::optional<std::string> meta(std::string_view key) const;
+
+ private:
+  ResultStore(const std::filesystem::path& file, sqlite::OpenMode mode);
+  void create_tables();
+  void check_schema() const;
+
+  sqlite::Database database_;
+};
+
+// The first deterministic column in which two records of one trial differ, with both values as
+// text. NaN equals NaN.
+struct Difference {
+  std::string column;
+  std::string a;
+  std::string b;
+};
+std::optional<Difference> first_difference(const RunRecord& a, const RunRecord& b);
+
+}  // namespace voronaut

@@ -1,0 +1,79 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "voronaut/reports/run_record.h"
+#include "voronaut/reports/summary/statistics.h"
+
+// What a suite says about its planners. Failures stay in every denominator; what can only be said
+// about a part of the trials (the path ratio: those that reached the goal) says over how many.
+namespace voronaut {
+
+// What is compared under equal conditions: a family of scenarios, flown by one vehicle.
+struct SummaryGroup {
+  std::string scenario_group;
+  std::string vehicle;
+  std::string regulator;
+  bool all_scenarios = false;  // pooled over the scenario groups; scenario_group is empty then
+
+  friend auto operator<=>(const SummaryGroup&, const SummaryGroup&) = default;
+};
+
+struct PlannerSummary {
+  SummaryGroup group;
+  std::string planner;
+  std::int64_t n = 0;
+  Rate success;                                           // goal_reached of n
+  std::array<std::int64_t, kOutcomes.size()> outcomes{};  // counts, in the order of kOutcomes
+
+  Estimate path_ratio_median;        // over goal_reached
+  Estimate path_ratio_p95;           // over goal_reached
+  Estimate spl_mean;                 // over all, a failure counts 0
+  Estimate duration_median_s;        // over goal_reached
+  double clearance_min_m = kAbsent;  // the smallest of all trials that moved
+  Estimate clearance_median_m;       // of the trials' smallest
+  Estimate speed_mean_median_m_s;
+  Estimate replans_median;
+  Estimate state_checks_median;
+  Estimate planning_time_us_median;  // of the trials' means; measured
+  Estimate step_time_us_median;      // of the trials' means; measured
+};
+
+// Two planners on the same (scenario, repetition, vehicle, regulator). Who reached the goal beats
+// who did not; of two that reached it the shorter path wins, unless the path ratios are within
+// tie_tolerance of each other; two failures tie.
+struct PlannerPairing {
+  SummaryGroup group;
+  std::string planner_a;
+  std::string planner_b;
+  std::int64_t n = 0;
+  std::int64_t wins_a = 0;
+  std::int64_t ties = 0;
+  std::int64_t wins_b = 0;
+  Rate win_share_a;  // wins_a of the pairs that one of the two won
+};
+
+struct SummaryConfig {
+  double tie_tolerance = 0.01;  // relative, on the path ratio
+  BootstrapConfig bootstrap;
+
+  template <class Visitor>
+  void visit(Visitor& v) {
+    v.number("tie_tolerance", tie_tolerance, 0.0, 1.0);
+    bootstrap.visit(v);
+  }
+};
+
+struct Summary {
+  std::vector<PlannerSummary> groups;    // by scenario group, vehicle, regulator, planner
+  std::vector<PlannerSummary> totals;    // pooled, where a vehicle flew more than one group
+  std::vector<PlannerPairing> pairings;  // per group, and pooled where there are totals
+};
+
+// Scenario groups are in natural order: "bearing-45" before "bearing-135". O(resamples * records).
+Summary summarise(const std::vector<RunRecord>& records, const SummaryConfig& config = {});
+
+}  // namespace voronaut

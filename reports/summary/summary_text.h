@@ -1,0 +1,20 @@
+#pragma once
+
+#include <string>
+
+#include "voronaut/reports/summary/summary.h"
+
+namespace voronaut {
+
+// Tables with aligned columns for a terminal: one per group, the pooled ones last, then who beats
+// whom. Control characters in names are shown as '?'.
+std::string summary_text(const Summary& summary);
+
+// The same tables in Markdown, for a paper or a pull request.
+std::string summary_markdown(const Summary& summary);
+
+// Everything in Summary: {"groups":[...], "totals":[...], "pairings":[...]}. Absent numbers are
+// null.
+std::string summary_json(const Summary& summary);
+
+}  // namespace voronaut

@@ -1,0 +1,187 @@
+#include <array>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <string>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+
+#include "voronaut/tests/benchmarks/small_suite.h"
+
+namespace voronaut {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::StartsWith;
+
+struct Answer {
+  int exit_code = -1;
+  std::string out;
+  std::string err;
+};
+
+std::string text_of(const std::filesystem::path& file) {
+  std::ifstream in(file, std::ios::binary);
+  std::ostringstream text;
+  text << in.rdbuf();
+  return text.str();
+}
+
+class CommandLine : public ::testing::Test {
+ protected:
+  // Runs the program in a folder of its own, without the data of whoever runs the tests.
+  Answer voronaut(const std::string& arguments) const {
+    const std::string command = "cd '" + folder_.path().string() + "' && env -u VORONAUT_DATA '" +
+                                VORONAUT_PROGRAM + "' " + arguments + " >out.txt 2>err.txt";
+    const int status = std::system(command.c_str());
+    return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, text_of(path("out.txt")),
+            text_of(path("err.txt"))};
+  }
+  std::filesystem::path path(const std::string& name) const { return folder_.path() / name; }
+  void write(const std::string& name, const std::string& text) const {
+    std::ofstream(path(name)) << text;
+  }
+  // One short flight in the open.
+  void write_open_suite() const {
+    write("open.yaml",
+          "suite: open\nscenarios: [{name: open, world: {circles: [[2, 3, 0.5]]}, bounds: [[-2, "
+          "-2], [5, 5]], start: [0, 0], goal: [2, 1]}]\nvehicles: [ideal]\nplanners: [RRTConnect, "
+          "PotentialField]\n");
+  }
+
+ private:
+  TemporaryFolder folder_;
+};
+
+TEST_F(CommandLine, SaysInOneLineWhatIsWrongAndWritesNothing) {
+  write_open_suite();
+  write("broken.yaml", "suite: broken\nplannners: []\n");
+  std::filesystem::create_directory(path("empty"));
+  const std::string help = " (--help shows what is possible)\n";
+  const std::vector<std::pair<std::string, std::string>> cases = {
+      {"", "voronaut: A subcommand is required" + help},
+      {"fly", "voronaut: A subcommand is required" + help},
+      {"run", "voronaut: SUITE is required" + help},
+      {"run open.yaml --jobs 0", "voronaut: --jobs: Value 0 not in range 1 to 1024" + help},
+      {"run open.yaml --seed -3",
+       "voronaut: --seed: Value -3 not in range 0 to 9223372036854775807" + help},
+      {"run open.yaml --colour red",
+       "voronaut: The following arguments were not expected: red --colour" + help},
+      {"run nothing.yaml", "voronaut: nothing.yaml: no such file\n"},
+      {"run broken.yaml",
+       "voronaut: broken.yaml:2: key 'plannners': unknown key (allowed: suite, kind, seed, "
+       "repetitions, repeat, data, scenarios, vehicles, planners, range_finder, mapping, "
+       "navigation, loop, "
+       "budget, limits, traces; did you mean 'planners'?)\n"},
+      {"run open.yaml --planners RRT",
+       "voronaut: no planner 'RRT' in suite 'open' (allowed: RRTConnect, PotentialField)\n"},
+      {"run open.yaml --out open.yaml", "voronaut: open.yaml: is no folder\n"},
+      {"summary missing", "voronaut: missing: no results here (no results.db)\n"},
+      {"digest empty", "voronaut: empty: no results here (no results.db)\n"},
+      {"replay empty abc", "voronaut: empty: no results here (no results.db)\n"},
+      {"list colours",
+       "voronaut: WHAT: colours not in {planners,vehicles,regulators,scenarios,suites}" + help},
+      {"check missing.yaml",
+       "voronaut: missing.yaml: cannot be read (No such file or directory)\n"},
+  };
+  for (const auto& [arguments, message] : cases) {
+    const Answer answer = voronaut(arguments);
+    EXPECT_EQ(answer.exit_code, 2) << arguments;
+    EXPECT_EQ(answer.err, message) << arguments;
+    EXPECT_EQ(answer.out, "") << arguments;
+    EXPECT_FALSE(std::filesystem::exists(path("voronaut-results"))) << arguments;
+  }
+}
+
+TEST_F(CommandLine, NamesTheSuitesThatShipWhenOneIsMisspelt) {
+  const Answer answer = voronaut("run smokey");
+  EXPECT_EQ(answer.exit_code, 2);
+  EXPECT_THAT(answer.err, StartsWith("voronaut: no suite 'smokey' (allowed: barn, "));
+  EXPECT_THAT(answer.err, HasSubstr("did you mean 'smoke'?)"));
+}
+
+TEST_F(CommandLine, HelpsEverywhereAndKnowsItsVersion) {
+  for (const std::string command :
+       {"", "run", "summary", "list", "check", "replay", "digest", "report", "plot"}) {
+    const Answer help = voronaut(command + " --help");
+    EXPECT_EQ(help.exit_code, 0) << command;
+    EXPECT_THAT(help.out, HasSubstr("Exit codes: 0 success;")) << command;
+    const Answer version = voronaut(command + " --version");
+    EXPECT_EQ(version.exit_code, 0) << command;
+    EXPECT_THAT(version.out, StartsWith("voronaut 0.")) << command;
+  }
+}
+
+TEST_F(CommandLine, ListsWhatThereIs) {
+  EXPECT_THAT(voronaut("list planners").out, HasSubstr("RRTConnect"));
+  EXPECT_THAT(voronaut("list vehicles").out, HasSubstr("quadrotor_props"));
+  EXPECT_THAT(voronaut("list regulators").out, HasSubstr("pd_rate"));
+  EXPECT_THAT(voronaut("list scenarios").out, HasSubstr("paper-between"));
+  EXPECT_THAT(voronaut("list suites").out, HasSubstr("smoke"));
+}
+
+TEST_F(CommandLine, ChecksSuitesAndScenarios) {
+  write_open_suite();
+  EXPECT_EQ(voronaut("check open.yaml").out,
+            "open.yaml: suite 'open', 1 scenarios x 1 vehicles x 2 planners x 1 repetitions = 2 "
+            "trials\n");
+  write("world.yaml",
+        "name: w\nworld: {}\nbounds: [[0, 0], [2, 2]]\nstart: [1, 1]\ngoal: [1.5, 1.5]\n");
+  EXPECT_EQ(voronaut("check world.yaml").out, "world.yaml: scenario 'w'\n");
+}
+
+TEST_F(CommandLine, RunsASuiteAndAnswersQuestionsAboutIt) {
+  write_open_suite();
+  const Answer run = voronaut("run open.yaml --out r --jobs 2");
+  ASSERT_EQ(run.exit_code, 0) << run.out << run.err;
+  EXPECT_THAT(run.err, HasSubstr("2/2 trials"));
+  EXPECT_THAT(run.out, HasSubstr("report: r/report.html\n"));
+  for (const char* file : {"results.db", "results.csv", "report.html", "manifest.json"})
+    EXPECT_GT(text_of(path("r") / file).size(), 100U) << file;
+  EXPECT_THAT(text_of(path("r/manifest.json")), HasSubstr("\"ompl\": \"1."));
+  EXPECT_THAT(voronaut("summary r").out, HasSubstr("RRTConnect"));
+  EXPECT_THAT(voronaut("summary r --json").out, StartsWith("{"));
+
+  const std::string digest = voronaut("digest r").out;
+  EXPECT_EQ(digest.size(), 65U);
+  const Answer again = voronaut("run open.yaml --out r");
+  EXPECT_THAT(again.out, HasSubstr("2 trials were there, 0 are new\n"));
+  EXPECT_EQ(voronaut("run open.yaml --jobs 1").exit_code, 0);
+  EXPECT_EQ(voronaut("digest voronaut-results/open").out, digest);
+
+  const std::string csv = text_of(path("r/results.csv"));
+  const std::string id = csv.substr(csv.find('\n') + 1, 64);
+  const Answer replay = voronaut("replay r " + id.substr(0, 10));
+  EXPECT_EQ(replay.exit_code, 0) << replay.out << replay.err;
+  EXPECT_THAT(replay.out, StartsWith("trial " + id + " is the same, bit for bit"));
+
+  EXPECT_EQ(voronaut("plot r " + id.substr(0, 10) + " -o figure.svg").exit_code, 0);
+  EXPECT_THAT(text_of(path("figure.svg")), HasSubstr("<svg"));
+
+  std::filesystem::remove(path("r/report.html"));
+  EXPECT_EQ(voronaut("report r").out, "r/report.html\n");
+  EXPECT_TRUE(std::filesystem::exists(path("r/report.html")));
+}
+
+TEST_F(CommandLine, KeepsResultsOfAnotherVersionOfTheSuiteApart) {
+  write_open_suite();
+  ASSERT_EQ(voronaut("run open.yaml --planners RRTConnect").exit_code, 0);
+  ASSERT_EQ(voronaut("run open.yaml --planners RRTConnect --out r").exit_code, 0);
+  write("open.yaml", text_of(path("open.yaml")) + "seed: 2\n");
+  const Answer refused = voronaut("run open.yaml --planners RRTConnect --out r");
+  EXPECT_EQ(refused.exit_code, 2);
+  EXPECT_EQ(refused.err,
+            "voronaut: r: holds results of another version of this suite; give another --out or "
+            "remove it\n");
+  const Answer moved = voronaut("run open.yaml --planners RRTConnect");
+  EXPECT_EQ(moved.exit_code, 0);
+  EXPECT_THAT(moved.err, HasSubstr("results of another version of this suite moved to "
+                                   "voronaut-results/open.1\n"));
+  EXPECT_TRUE(std::filesystem::exists(path("voronaut-results/open.1/results.db")));
+}
+
+}  // namespace
+}  // namespace voronaut

@@ -1,0 +1,76 @@
+#include "voronaut/benchmarks/episode/metrics.h"
+
+#include <gtest/gtest.h>
+
+namespace voronaut {
+namespace {
+
+Tick tick(double t_s, double x, double y, double vx, double clearance_m) {
+  Tick tick;
+  tick.t_s = t_s;
+  tick.state.p_world = Vec3(x, y, 1);
+  tick.state.v_world = Vec3(vx, 0, 0);
+  tick.state.w_body = Vec3::Zero();
+  tick.clearance_m = clearance_m;
+  return tick;
+}
+
+// Along x for 3 m in 2 s, then 4 m along y in 2 s.
+const std::vector<Tick> kCorner{tick(0, 0, 0, 0, 2.0), tick(1, 1, 0, 1, 1.0), tick(2, 3, 0, 2, 0.5),
+                                tick(4, 3, 4, 0.5, 1.5)};
+
+TEST(Metrics, PathLengthIsThatOfTheTrackInThePlane) {
+  EXPECT_DOUBLE_EQ(path_length_m(kCorner), 7.0);
+  std::vector<Tick> climbing = kCorner;
+  climbing[2].state.p_world.z() = 50;
+  EXPECT_DOUBLE_EQ(path_length_m(climbing), 7.0);
+  EXPECT_DOUBLE_EQ(path_length_m({}), 0.0);
+}
+
+TEST(Metrics, ClearanceIsSmallestAndMeanOverTicks) {
+  EXPECT_DOUBLE_EQ(clearance_min_m(kCorner), 0.5);
+  EXPECT_DOUBLE_EQ(clearance_mean_m(kCorner), 1.25);
+  EXPECT_TRUE(std::isnan(clearance_min_m({})));
+  EXPECT_TRUE(std::isnan(clearance_mean_m({})));
+}
+
+TEST(Metrics, ClearanceMayBeNegativeInsideAnObstacle) {
+  const std::vector<Tick> inside{tick(0, 0, 0, 0, -0.3), tick(1, 0, 0, 0, -0.1)};
+  EXPECT_DOUBLE_EQ(clearance_min_m(inside), -0.3);
+}
+
+TEST(Metrics, MeanSpeedCountsFromDeparture) {
+  EXPECT_DOUBLE_EQ(speed_mean_m_s(kCorner, 0), 7.0 / 4.0);
+  EXPECT_DOUBLE_EQ(speed_mean_m_s(kCorner, 1), 6.0 / 3.0);
+  EXPECT_DOUBLE_EQ(speed_mean_m_s(kCorner, 4), 0.0);
+  EXPECT_DOUBLE_EQ(speed_max_m_s(kCorner), 2.0);
+}
+
+TEST(Metrics, SplIsZeroForAFailureAndNeverAboveOne) {
+  EXPECT_DOUBLE_EQ(spl(false, 10, 10), 0.0);
+  EXPECT_DOUBLE_EQ(spl(true, 10, 12.5), 0.8);
+  EXPECT_DOUBLE_EQ(spl(true, 10, 9.9), 1.0);
+}
+
+TEST(Metrics, PercentileIsNearestRank) {
+  EXPECT_DOUBLE_EQ(percentile({4, 1, 3, 2}, 50), 2.0);
+  EXPECT_DOUBLE_EQ(percentile({4, 1, 3, 2}, 99), 4.0);
+  EXPECT_DOUBLE_EQ(percentile({5}, 1), 5.0);
+  EXPECT_TRUE(std::isnan(percentile({}, 50)));
+}
+
+TEST(Metrics, MeanOfNothingIsAbsent) {
+  EXPECT_TRUE(std::isnan(mean({})));
+  EXPECT_DOUBLE_EQ(mean(std::vector<double>{1, 2, 6}), 3.0);
+}
+
+TEST(Metrics, StateDigestSeesTheLastBitOfAnyState) {
+  std::vector<Tick> other = kCorner;
+  EXPECT_EQ(state_digest(kCorner), state_digest(other));
+  other[1].state.w_body.z() = std::nextafter(other[1].state.w_body.z(), 1.0);
+  EXPECT_NE(state_digest(kCorner), state_digest(other));
+  EXPECT_EQ(state_digest(kCorner).size(), 16U);
+}
+
+}  // namespace
+}  // namespace voronaut

@@ -1,0 +1,220 @@
+#include "voronaut/benchmarks/runner/runner.h"
+
+#include <csignal>
+#include <cstdlib>
+#include <map>
+#include <set>
+#include <sstream>
+#include <stdexcept>
+
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include "voronaut/benchmarks/results/digest.h"
+#include "voronaut/benchmarks/suite/suite_trials.h"
+#include "voronaut/tests/benchmarks/small_suite.h"
+
+namespace voronaut {
+namespace {
+
+const std::vector<std::string> kCalm = {"a", "b", "c"};
+
+RunReport run(const SuiteConfig& suite, const FlyTrial& fly, std::size_t jobs,
+              const std::filesystem::path& database) {
+  std::ostringstream out;
+  Progress progress(out, false, SuiteTrials(suite).total(), std::chrono::steady_clock::now());
+  ShortestReferences references = made_up_references();
+  ResultStore store = ResultStore::create(database);
+  return run_suite(suite, fly, jobs, references, store, progress);
+}
+
+FlyTrial calm() {
+  return [](const TrialSpec& spec, bool) { return made_up_flight(spec); };
+}
+
+std::vector<std::string> make_string_hoard() {
+  std::vector<std::string> hoard;
+  while (true) hoard.emplace_back(1U << 24U, 'x');
+}
+
+// Misbehaves as the planner's label says.
+TrialResult misbehave(const TrialSpec& spec, bool) {
+  const std::string& label = spec.planner.label;
+  if (label == "aborts") std::abort();
+  if (label == "segfaults") std::raise(SIGSEGV);
+  if (label == "throws") throw std::runtime_error("lost the roadmap");
+  if (label == "exits") std::exit(3);
+  if (label == "eats") make_string_hoard();
+  if (label == "loops")
+    for (volatile std::uint64_t i = 0;;) i = i + 1;
+  if (label == "sleeps")
+    while (true) pause();
+  return made_up_flight(spec);
+}
+
+TEST(Runner, MakesARowOfEverythingThatCanHappenAndHarmsNoOther) {
+  const TemporaryFolder folder;
+  const SuiteConfig suite = small_suite(
+      "mixed", {"fine", "aborts", "segfaults", "throws", "exits", "eats", "loops", "fine_too"});
+  const RunReport report = run(suite, misbehave, 2, folder.path() / "results.db");
+  EXPECT_EQ(report.done, 16U);
+  EXPECT_FALSE(report.interrupted);
+  const auto fine = std::make_pair(Outcome::goal_reached, std::string("made up"));
+  const std::map<std::string, std::pair<Outcome, std::string>> expected = {
+      {"fine", fine},
+      {"fine_too", fine},
+      {"aborts", {Outcome::crash, "ended by SIGABRT"}},
+      {"segfaults", {Outcome::crash, "ended by SIGSEGV"}},
+      {"throws", {Outcome::crash, "exception: lost the roadmap"}},
+      {"exits", {Outcome::crash, "ended the process with exit code 3"}},
+      {"eats", {Outcome::memory, "asked for more than 256 MB of memory"}},
+      {"loops", {Outcome::killed, "used more than 1 s of CPU time"}}};
+  const auto records = ResultStore::open(folder.path() / "results.db").records();
+  ASSERT_EQ(records.size(), 16U);
+  for (const RunRecord& record : records) {
+    EXPECT_EQ(record.outcome, expected.at(record.planner).first) << record.planner;
+    EXPECT_EQ(record.reason, expected.at(record.planner).second);
+    EXPECT_EQ(record.suite, "mixed");
+    EXPECT_EQ(record.vehicle, "quadrotor");
+    EXPECT_GT(record.shortest_length_m, 0) << "references belong to failures too";
+    EXPECT_GE(record.cpu_time_s, 0);
+    EXPECT_GT(record.memory_max_mb, 0);
+    EXPECT_EQ(is_failure(record.outcome), record.outcome != Outcome::goal_reached);
+  }
+}
+
+TEST(Runner, StopsWhatWaitsForever) {
+  const TemporaryFolder folder;
+  SuiteConfig suite = small_suite("sleeping", {"sleeps"});
+  suite.limits.process.wall_s = 0.5;
+  run(suite, misbehave, 2, folder.path() / "results.db");
+  const auto records = ResultStore::open(folder.path() / "results.db").records();
+  ASSERT_EQ(records.size(), 2U);
+  for (const RunRecord& record : records) {
+    EXPECT_EQ(record.outcome, Outcome::killed);
+    EXPECT_EQ(record.reason, "took longer than 0.5 s");
+  }
+}
+
+TEST(Runner, GivesTheSameDigestForAnyNumberOfJobs) {
+  const TemporaryFolder folder;
+  const SuiteConfig suite = small_suite("jobs", kCalm, 3);
+  run(suite, calm(), 1, folder.path() / "one.db");
+  run(suite, calm(), 3, folder.path() / "three.db");
+  const auto one = ResultStore::open(folder.path() / "one.db").records();
+  const auto three = ResultStore::open(folder.path() / "three.db").records();
+  EXPECT_EQ(one.size(), 18U);
+  EXPECT_EQ(digest(one), digest(three));
+  auto changed = one;
+  changed[4].duration_s += 1e-12;
+  EXPECT_NE(digest(one), digest(changed));
+}
+
+TEST(Runner, RunsNothingTwice) {
+  const TemporaryFolder folder;
+  const SuiteConfig suite = small_suite("twice", kCalm);
+  EXPECT_EQ(run(suite, calm(), 2, folder.path() / "results.db").done, 6U);
+  const RunReport again = run(
+      suite, [](const TrialSpec&, bool) -> TrialResult { std::abort(); }, 2,
+      folder.path() / "results.db");
+  EXPECT_EQ(again.stored, 6U);
+  EXPECT_EQ(again.done, 0U);
+}
+
+TEST(Runner, GoesOnWhereAnEarlierRunStoppedWithMoreRepetitions) {
+  const TemporaryFolder folder;
+  run(small_suite("more", kCalm, 1), calm(), 1, folder.path() / "results.db");
+  const RunReport more =
+      run(small_suite("more", kCalm, 2), calm(), 1, folder.path() / "results.db");
+  EXPECT_EQ(more.stored, 6U);
+  EXPECT_EQ(more.done, 6U);
+}
+
+// Starts a runner in a process of its own and ends it by a signal in the middle of its work.
+int run_and_signal(const SuiteConfig& suite, const std::filesystem::path& database, int signal) {
+  const pid_t runner = fork();
+  if (runner == 0) {
+    const FlyTrial slow = [](const TrialSpec& spec, bool) {
+      usleep(20'000);
+      return made_up_flight(spec);
+    };
+    const RunReport report = run(suite, slow, 2, database);
+    _exit(report.interrupted ? 1 : 0);
+  }
+  usleep(150'000);
+  kill(runner, signal);
+  int status = 0;
+  waitpid(runner, &status, 0);
+  return status;
+}
+
+void expect_completion(int signal) {
+  const TemporaryFolder folder;
+  const auto database = folder.path() / "results.db";
+  const SuiteConfig suite = small_suite("killed", kCalm, 20);
+  const int status = run_and_signal(suite, database, signal);
+  if (signal == SIGKILL) {
+    EXPECT_TRUE(WIFSIGNALED(status));
+  } else {
+    EXPECT_TRUE(WIFEXITED(status) && WEXITSTATUS(status) == 1) << status;
+  }
+  const RunReport rest = run(suite, calm(), 2, database);
+  EXPECT_EQ(rest.stored + rest.done, 120U);
+  EXPECT_GT(rest.done, 0U);
+  const auto records = ResultStore::open(database).records();
+  EXPECT_EQ(records.size(), 120U);
+  std::set<std::string> ids;
+  for (const RunRecord& record : records) ids.insert(record.trial_id);
+  EXPECT_EQ(ids.size(), 120U);
+  run(suite, calm(), 1, folder.path() / "whole.db");
+  EXPECT_EQ(digest(records), digest(ResultStore::open(folder.path() / "whole.db").records()));
+}
+
+TEST(Runner, IsCompletedByTheNextRunAfterSigkill) { expect_completion(SIGKILL); }
+TEST(Runner, StopsInOrderOnSigintAndIsCompletedByTheNextRun) { expect_completion(SIGINT); }
+TEST(Runner, StopsInOrderOnSigtermAndIsCompletedByTheNextRun) { expect_completion(SIGTERM); }
+
+TEST(Runner, KeepsTracesAsTheSuiteAsks) {
+  const FlyTrial fly = [](const TrialSpec& spec, bool keep_trace) {
+    TrialResult result = made_up_flight(spec);
+    if (spec.planner.label == "b") result.record.outcome = Outcome::collision;
+    if (keep_trace) result.trace.emplace().trial_id = spec.trial_id;
+    return result;
+  };
+  for (const auto& [keeping, expected] :
+       {std::pair(TraceKeeping::all, 6), std::pair(TraceKeeping::failures, 2),
+        std::pair(TraceKeeping::none, 0)}) {
+    const TemporaryFolder folder;
+    SuiteConfig suite = small_suite("traces", kCalm);
+    suite.traces = keeping;
+    run(suite, fly, 1, folder.path() / "results.db");
+    const ResultStore store = ResultStore::open(folder.path() / "results.db");
+    int traces = 0;
+    for (const std::string& id : store.trial_ids()) traces += store.trace(id) ? 1 : 0;
+    EXPECT_EQ(traces, expected);
+    EXPECT_EQ(store.worlds().size(), 2U);
+  }
+}
+
+TEST(Runner, ComputesEachReferenceOnce) {
+  const TemporaryFolder folder;
+  int calls = 0;
+  ShortestReferences references([&](const Scenario&, double radius_m) {
+    ++calls;
+    return radius_m;
+  });
+  std::ostringstream out;
+  const SuiteConfig suite = small_suite("references", kCalm, 4);
+  Progress progress(out, false, 24, std::chrono::steady_clock::now());
+  ResultStore store = ResultStore::create(folder.path() / "results.db");
+  run_suite(suite, calm(), 1, references, store, progress);
+  EXPECT_EQ(calls, 2 + 4 * 2) << "one fixed world, four random ones, two radii";
+  for (const RunRecord& record : store.records()) {
+    EXPECT_EQ(record.shortest_length_m, 0.25);
+    EXPECT_EQ(record.shortest_at_clearance_m, 0.4);
+  }
+}
+
+}  // namespace
+}  // namespace voronaut

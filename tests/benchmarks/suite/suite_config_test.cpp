@@ -1,0 +1,222 @@
+#include "voronaut/benchmarks/suite/suite_config.h"
+
+#include <cstdlib>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "voronaut/environments/config/nearest_name.h"
+#include "voronaut/tests/benchmarks/small_suite.h"
+
+namespace voronaut {
+namespace {
+
+SuiteConfig read(const std::string& text) {
+  return read_suite(ConfigNode::parse(text, "s.yaml"), "", PlannerCatalog::built_in());
+}
+
+std::string error_of(const std::string& text) {
+  try {
+    read(text);
+  } catch (const ConfigError& error) {
+    return error.what();
+  }
+  return "no error";
+}
+
+std::vector<std::string> planner_names() {
+  std::vector<std::string> names;
+  const PlannerCatalog catalog = PlannerCatalog::built_in();
+  for (const PlannerEntry* entry : catalog.entries()) names.push_back(entry->name);
+  return names;
+}
+
+// A suite that is right but for the part that is replaced.
+std::string suite_with(const std::string& key, const std::string& value) {
+  const std::vector<std::pair<std::string, std::string>> parts = {
+      {"suite", "s"},
+      {"scenarios",
+       "[{name: open, world: {}, bounds: [[-1, -1], [6, 6]], start: [0, 0], goal: [5, 5]}]"},
+      {"vehicles", "[quadrotor]"},
+      {"planners", "[RRTConnect]"}};
+  std::string text;
+  bool replaced = false;
+  for (const auto& [name, usual] : parts) {
+    text += name + ": " + (name == key ? value : usual) + "\n";
+    replaced = replaced || name == key;
+  }
+  return replaced ? text : text + key + ": " + value + "\n";
+}
+
+TEST(SuiteConfig, FillsInEveryDefault) {
+  const SuiteConfig suite = read(suite_with("seed", "12"));
+  EXPECT_EQ(suite.name, "s");
+  EXPECT_EQ(suite.seed, 12U);
+  EXPECT_EQ(suite.repetitions, 1);
+  ASSERT_EQ(suite.vehicles.size(), 1U);
+  EXPECT_EQ(suite.vehicles[0].regulator_name, "pd_rate");
+  ASSERT_EQ(suite.planners.size(), 1U);
+  EXPECT_EQ(suite.planners[0].label, "RRTConnect");
+  EXPECT_EQ(suite.range_finder.rays, 91);
+  EXPECT_EQ(suite.budget.state_checks, 50'000U);
+  EXPECT_EQ(suite.limits.process.memory_mb, 1024);
+  EXPECT_EQ(suite.traces, TraceKeeping::all);
+}
+
+TEST(SuiteConfig, ReadsEverySection) {
+  const SuiteConfig suite = read(
+      suite_with("vehicles",
+                 "[{name: ideal, label: small, params: {body_radius_m: 0.2, clearance_min_m: 0.3},"
+                 " model: {max_acceleration_m_s2: 2}, regulator: {name: ideal, params: {}}}]") +
+      "range_finder: {rays: 5}\nmapping: {merge_distance_m: 0.6}\nnavigation: {gaze: path}\n"
+      "loop: {goal_hold_s: 2}\nbudget: {state_checks: 7, ptc_evaluations: 8}\n"
+      "limits: {cpu_s: 3}\ntraces: none\nkind: flown\nrepetitions: 4\n");
+  EXPECT_EQ(suite.vehicles[0].vehicle.name, "small");
+  EXPECT_EQ(suite.vehicles[0].vehicle.body_radius_m, 0.2);
+  EXPECT_EQ(std::get<IdealConfig>(suite.vehicles[0].vehicle.model).max_acceleration_m_s2, 2);
+  EXPECT_EQ(suite.range_finder.rays, 5);
+  EXPECT_EQ(suite.mapping.merge_distance_m, 0.6);
+  EXPECT_EQ(suite.navigation.gaze, Gaze::path);
+  EXPECT_EQ(suite.loop.goal_hold_s, 2);
+  EXPECT_EQ(suite.budget.state_checks, 7U);
+  EXPECT_EQ(suite.budget.ptc_evaluations, 8U);
+  EXPECT_EQ(suite.limits.process.cpu_s, 3);
+  EXPECT_EQ(suite.traces, TraceKeeping::none);
+  EXPECT_EQ(suite.repetitions, 4);
+}
+
+TEST(SuiteConfig, PassesFlagsToPlannersAsTheyWantThem) {
+  const SuiteConfig suite = read(suite_with(
+      "planners", "[{name: RRTConnect, params: {intermediate_states: true, range: 2}}]"));
+  EXPECT_EQ(suite.planners[0].params.at("intermediate_states"), "1");
+  EXPECT_EQ(suite.planners[0].params.at("range"), "2");
+}
+
+TEST(SuiteConfig, SaysInOneLineWhatIsWrong) {
+  unsetenv("VORONAUT_DATA");  // one of the messages is about its absence
+  const std::string keys =
+      "suite, kind, seed, repetitions, repeat, data, scenarios, vehicles, planners, range_finder, "
+      "mapping, navigation, loop, budget, limits, traces";
+  const std::string count = "expected a whole number from ";
+  const std::vector<std::pair<std::string, std::string>> cases = {
+      {"", "s.yaml: the file is empty"},
+      {"just text", "s.yaml:1: expected a map of keys, got 'just text'"},
+      {suite_with("seeed", "1"),
+       "s.yaml:5: key 'seeed': unknown key (allowed: " + keys + "; did you mean 'seed'?)"},
+      {"scenarios: []", "s.yaml:1: key 'suite': missing"},
+      {"suite: s\nvehicles: [quadrotor]\nplanners: [RRTConnect]",
+       "s.yaml:1: key 'scenarios': missing"},
+      {"suite: s\nplanners: [RRTConnect]", "s.yaml:1: key 'vehicles': missing"},
+      {suite_with("suite", "../s"),
+       "s.yaml:1: key 'suite': expected a name of letters, digits, '-', '_' and '.', got '../s'"},
+      {suite_with("suite", ""), "s.yaml:1: key 'suite': expected text, got nothing"},
+      {suite_with("suite", "[a]"), "s.yaml:1: key 'suite': expected text, got a list of 1"},
+      {suite_with("kind", "static"), "s.yaml:5: key 'kind': expected one of flown, got 'static'"},
+      {suite_with("seed", "-1"),
+       "s.yaml:5: key 'seed': " + count + "0 to 9223372036854775807, got '-1'"},
+      {suite_with("seed", "1.5"),
+       "s.yaml:5: key 'seed': " + count + "0 to 9223372036854775807, got '1.5'"},
+      {suite_with("repetitions", "0"),
+       "s.yaml:5: key 'repetitions': " + count + "1 to 1000000, got '0'"},
+      {suite_with("scenarios", "[]"),
+       "s.yaml:2: key 'scenarios': expected at least one entry, got none"},
+      {suite_with("scenarios", "forest"),
+       "s.yaml:2: key 'scenarios': expected a list, got 'forest'"},
+      {suite_with("scenarios", "[{file: missing.yaml}]"),
+       "s.yaml:2: key 'scenarios[0].file': no file 'missing.yaml'"},
+      {suite_with("scenarios", "[{name: a, generator: {name: forst}}]"),
+       "s.yaml:2: key 'scenarios[0].generator.name': expected one of forest, paper_scene, "
+       "goal_side, grid, walls, u_trap, bug_trap, spiral, rooms, maze, braided_maze, narrow_gaps, "
+       "thin_posts, enclosed_goal, got 'forst' (did you mean 'forest'?)"},
+      {suite_with("scenarios",
+                  "[{name: a, generator: {name: forest}}, {name: a, generator: {name: forest}}]"),
+       "s.yaml:2: key 'scenarios[1]': the name 'a' is taken (line 2); give this one another name"},
+      {suite_with("scenarios",
+                  "[{name: a, world: {}, bounds: [[0, 0], [1, 1]], start: [0.5, 0.5], goal: [2, "
+                  "2]}]"),
+       "s.yaml:2: key 'scenarios[0].goal': (2, 2) lies outside the bounds (0, 0) to (1, 1)"},
+      {suite_with("scenarios", "[{dataset: barn}]"),
+       "s.yaml:2: key 'scenarios[0].dataset': 'barn' lies in the data folder, which is not known: "
+       "give --data DIR or set VORONAUT_DATA"},
+      {suite_with("vehicles", "[]"),
+       "s.yaml:3: key 'vehicles': expected at least one entry, got none"},
+      {suite_with("vehicles", "[quadrotr]"),
+       "s.yaml:3: key 'vehicles[0]': no vehicle 'quadrotr' (allowed: ideal, quadrotor, "
+       "quadrotor_props; did you mean 'quadrotor'?)"},
+      {suite_with("vehicles", "[quadrotor, quadrotor]"),
+       "s.yaml:3: key 'vehicles[1]': the name 'quadrotor' is taken (line 3); give this one a "
+       "label"},
+      {suite_with("vehicles", "[{label: a}]"), "s.yaml:3: key 'vehicles[0].name': missing"},
+      {suite_with("vehicles", "[{name: quadrotor, label: ''}]"),
+       "s.yaml:3: key 'vehicles[0].label': expected a label, got ''"},
+      {suite_with("vehicles", "[{name: quadrotor, params: {body_radius_m: -1}}]"),
+       "s.yaml:3: key 'vehicles[0].params.body_radius_m': expected a number from 0.001 to 10, got "
+       "'-1'"},
+      {suite_with("vehicles", "[{name: quadrotor, params: {clearance_min_m: 0.2}}]"),
+       "s.yaml:3: key 'vehicles[0]': clearance_min_m 0.2 is less than body_radius_m 0.25"},
+      {suite_with("vehicles", "[{name: quadrotor, regulator: ideal}]"),
+       "s.yaml:3: key 'vehicles[0].regulator': regulator 'ideal' drives the model ideal, which "
+       "vehicle 'quadrotor' is not"},
+      {suite_with("vehicles", "[{name: quadrotor, regulator: pid}]"),
+       "s.yaml:3: key 'vehicles[0].regulator': no regulator 'pid' (allowed: ideal, paper_literal, "
+       "pd_rate)"},
+      {suite_with("planners", "[RRTConect]"),
+       "s.yaml:4: key 'planners[0]': no planner 'RRTConect' (allowed: " +
+           join_names(planner_names()) + "; did you mean 'RRTConnect'?)"},
+      {suite_with("planners", "[RRTConnect, RRTConnect]"),
+       "s.yaml:4: key 'planners[1]': the name 'RRTConnect' is taken (line 4); give this one a "
+       "label"},
+      {suite_with("planners", "[{name: RRTConnect, parms: {range: 1}}]"),
+       "s.yaml:4: key 'planners[0].parms': unknown key (allowed: name, label, params; did you "
+       "mean 'params'?)"},
+      {suite_with("planners", "[{name: RRTConnect, params: {rang: 1}}]"),
+       "s.yaml:4: key 'planners[0].params.rang': planner 'RRTConnect' has no parameter 'rang'; did "
+       "you mean 'range'? It has: intermediate_states range"},
+      {suite_with("planners", "[{name: RRTConnect, params: {range: far}}]"),
+       "s.yaml:4: key 'planners[0].params.range': planner 'RRTConnect': parameter 'range' cannot "
+       "be 'far'; allowed: 0.:1.:10000."},
+      {suite_with("planners", "[{name: ReactiveVoronoi, params: {preset: best}}]"),
+       "s.yaml:4: key 'planners[0].params.preset': planner 'ReactiveVoronoi': parameter 'preset' "
+       "cannot be 'best'; allowed: as_published,repaired"},
+      {suite_with("range_finder", "{rays: 0}"),
+       "s.yaml:5: key 'range_finder.rays': " + count + "1 to 100000, got '0'"},
+      {suite_with("mapping", "{merge_m: 1}"),
+       "s.yaml:5: key 'mapping.merge_m': unknown key (allowed: link_distance_m, "
+       "thinning_distance_m, merge_distance_m)"},
+      {suite_with("navigation", "{gaze: sideways}"),
+       "s.yaml:5: key 'navigation.gaze': expected one of fixed, path, got 'sideways'"},
+      {suite_with("loop", "{goal_hold_s: .nan}"),
+       "s.yaml:5: key 'loop.goal_hold_s': expected a number from 0 to 60, got '.nan'"},
+      {suite_with("budget", "{state_checks: 0}"),
+       "s.yaml:5: key 'budget.state_checks': " + count + "1 to 9223372036854775807, got '0'"},
+      {suite_with("budget", "{time_s: 1}"),
+       "s.yaml:5: key 'budget.time_s': unknown key (allowed: state_checks, ptc_evaluations)"},
+      {suite_with("limits", "{memory_mb: 1}"),
+       "s.yaml:5: key 'limits.memory_mb': expected a number from 16 to 1000000, got '1'"},
+      {suite_with("traces", "some"),
+       "s.yaml:5: key 'traces': expected one of all, failures, none, got 'some'"},
+  };
+  for (const auto& [text, message] : cases) {
+    const std::string error = error_of(text);
+    EXPECT_EQ(error, message) << text;
+    EXPECT_EQ(error.find('\n'), std::string::npos);
+  }
+}
+
+TEST(SuiteConfig, KeepsThePlannersThatWereAskedForAndNamesTheOthers) {
+  SuiteConfig suite = small_suite("s", {"a", "b", "c"});
+  keep_planners(suite, {"c", "a"});
+  ASSERT_EQ(suite.planners.size(), 2U);
+  EXPECT_EQ(suite.planners[0].label, "a");
+  try {
+    keep_planners(suite, {"aa"});
+    FAIL();
+  } catch (const std::invalid_argument& error) {
+    EXPECT_STREQ(error.what(), "no planner 'aa' in suite 's' (allowed: a, c)");
+  }
+}
+
+}  // namespace
+}  // namespace voronaut

@@ -1,0 +1,339 @@
+#include "voronaut/tests/reports/page/browser.h"
+
+#include <cmath>
+#include <cstdio>
+#include <filesystem>
+#include <optional>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "voronaut/reports/page/html_report.h"
+#include "voronaut/reports/page/trace_json.h"
+#include "voronaut/tests/reports/synthetic_run.h"
+
+namespace voronaut {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+using ::testing::Not;
+
+constexpr const char* kDrawn = "document.documentElement.dataset.ready === 'yes'";
+// Drawings far below the window wait until they are scrolled to.
+constexpr browser::View kTall{1280, 9000, false};
+
+// Rendered reports and their pictures stay in the build folder, to be looked at.
+std::filesystem::path folder() {
+  const auto path = std::filesystem::path(VORONAUT_BINARY_DIR) / "report-pages";
+  std::filesystem::create_directories(path);
+  return path;
+}
+
+ReportInput input_of(const synthetic::Run& run, const std::string& title) {
+  ReportInput input;
+  input.title = title;
+  input.manifest_json =
+      R"({"program":{"version":"0.1.0","commit":"0123abcd","compiler":"GNU 12.2.0"},)"
+      R"("machine":{"cpu":"made up"},"command":["voronaut","run","a b.yaml","--seed","1"],)"
+      R"("configuration":{"seed":1,"planners":[{"label":"repaired"}]},)"
+      R"("suite_text":"scenarios:\n  - paper\n  - forest\n"})";
+  input.records = run.records;
+  input.summary = summarise(run.records);
+  input.worlds = run.worlds;
+  for (const Trace& trace : run.traces) {
+    input.trace_blobs[trace.trial_id] = compress_trace(trace);
+  }
+  return input;
+}
+
+std::filesystem::path write_report(const std::string& name, const ReportInput& input) {
+  const auto file = folder() / name;
+  write_html_report(input, file);
+  return file;
+}
+
+std::string text_of(double value, int decimals) {
+  char buffer[64];
+  std::snprintf(buffer, sizeof buffer, "%.*f", decimals, value);
+  return buffer;
+}
+
+class Browser : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    if (!browser::find_chromium()) {
+      GTEST_SKIP() << "chromium is not installed: the report was not opened in a browser";
+    }
+    session_.emplace();
+  }
+
+  void open(const std::filesystem::path& file, const std::string& fragment = {},
+            const browser::View& view = kTall) {
+    session_->open(file, fragment, view);
+    ASSERT_TRUE(session_->wait_for(kDrawn));
+    ASSERT_TRUE(session_->wait_for("document.querySelectorAll('.waiting').length === 0"));
+    expect_quiet();
+  }
+
+  void expect_quiet() {
+    EXPECT_THAT(session_->complaints(), IsEmpty());
+    EXPECT_THAT(session_->requests(), IsEmpty());
+  }
+
+  std::string text(const std::string& selector) {
+    return session_->evaluate("document.querySelector(" + selector + ").textContent");
+  }
+  std::string count(const std::string& selector) {
+    return session_->evaluate("document.querySelectorAll(" + selector + ").length");
+  }
+
+  std::optional<browser::Session> session_;
+};
+
+TEST_F(Browser, ShowsTheNumbersOfTheRecords) {
+  synthetic::RunConfig config;
+  config.repetitions = 20;
+  const auto run = synthetic::make_run(config);
+  const ReportInput input = input_of(run, "A synthetic suite");
+  open(write_report("synthetic.html", input));
+  EXPECT_EQ(text("'h1'"), "A synthetic suite");
+  EXPECT_THAT(text("'header'"), HasSubstr("trials " + std::to_string(run.records.size())));
+  EXPECT_THAT(text("'header'"), HasSubstr("commit 0123abcd"));
+  EXPECT_THAT(text("'header'"), HasSubstr("voronaut run 'a b.yaml' --seed 1"));
+  const std::string rows = session_->evaluate(
+      "[...document.querySelectorAll('#overview tr')].map(r => "
+      "[...r.cells].map(c => c.textContent.trim()).join(' | ')).join('\\n')");
+  for (const PlannerSummary& s : input.summary.groups) {
+    EXPECT_THAT(rows,
+                HasSubstr(s.group.scenario_group + " | " + s.planner + " | " + std::to_string(s.n) +
+                          " | " + text_of(std::round(100 * s.success.value), 0) + " % " +
+                          std::to_string(s.success.successes) + "/" + std::to_string(s.n) +
+                          ", 95 % [" + text_of(std::round(100 * s.success.interval.low), 0) + ", " +
+                          text_of(std::round(100 * s.success.interval.high), 0) + "] | " +
+                          text_of(s.path_ratio_median.value, 3) + "["));
+  }
+}
+
+TEST_F(Browser, FailuresAreAPlateauOfTheCurvesNotAGapInThem) {
+  synthetic::RunConfig config;
+  config.repetitions = 20;
+  const auto run = synthetic::make_run(config);
+  const ReportInput input = input_of(run, "Plateaus");
+  open(write_report("plateaus.html", input));
+  for (const PlannerSummary& s : input.summary.totals) {
+    const std::string plateau =
+        session_->evaluate("document.querySelector('#path-ratio [data-planner=\"" + s.planner +
+                           "\"]').dataset.plateau");
+    EXPECT_NEAR(std::stod(plateau), s.success.value, 1e-9) << s.planner;
+  }
+}
+
+TEST_F(Browser, DrawsEveryTracedTrialAndEveryTracedFailureOnceMore) {
+  const auto run = synthetic::make_run();
+  open(write_report("scenes.html", input_of(run, "Scenes")));
+  EXPECT_EQ(count("'#scenes figure'"), std::to_string(run.worlds.size()));
+  EXPECT_EQ(count("'#scenes .track'"), std::to_string(run.traces.size()));
+  std::size_t failed_traces = 0;
+  for (const Trace& trace : run.traces) {
+    for (const RunRecord& record : run.records) {
+      failed_traces +=
+          record.trial_id == trace.trial_id && record.outcome != Outcome::goal_reached ? 1U : 0U;
+    }
+  }
+  EXPECT_TRUE(session_->wait_for("document.querySelectorAll('#failures .track').length === " +
+                                 std::to_string(failed_traces)));
+  const std::size_t circles = run.worlds.front().circles.size();
+  EXPECT_EQ(session_->evaluate("document.querySelector('figure[data-scene=\"" +
+                               run.records.front().scenario +
+                               "\"]').querySelectorAll('circle.obstacle').length"),
+            std::to_string(circles));
+}
+
+TEST_F(Browser, AFilterKeepsItsGroupOnly) {
+  const auto run = synthetic::make_run();
+  open(write_report("filter.html", input_of(run, "Filter")));
+  session_->evaluate(
+      "(() => { const s = document.querySelector('nav select'); s.value = 'paper';"
+      " s.dispatchEvent(new Event('change')); })()");
+  EXPECT_EQ(count("'#scenes figure'"), "2");
+  EXPECT_THAT(text("'#overview'"), Not(HasSubstr("forest")));
+  EXPECT_THAT(text("'#failures'"), Not(HasSubstr("forest")));
+  expect_quiet();
+}
+
+TEST_F(Browser, AHeadingSortsItsColumn) {
+  const auto run = synthetic::make_run();
+  open(write_report("sort.html", input_of(run, "Sort")));
+  const std::string after =
+      "document.querySelectorAll('#overview table')[1].querySelectorAll('tbody tr')";
+  const std::string press =
+      "document.querySelectorAll('#overview table')[1].querySelectorAll('th button')[4].click()";
+  const std::string values =
+      "[..." + after + "].map(r => parseFloat(r.cells[4].textContent)).join(',')";
+  session_->evaluate(press);
+  const std::string sorted =
+      session_->evaluate("(() => { const v = " + values +
+                         ".split(',').map(Number);"
+                         " return v.every((x, i) => i === 0 || isNaN(x) || v[i - 1] <= x); })()");
+  EXPECT_EQ(sorted, "true") << session_->evaluate(values);
+}
+
+TEST_F(Browser, SurvivesHostileNames) {
+  synthetic::RunConfig config;
+  config.planners = {"</script><script>document.title='broken'</script>",
+                     "\"quotes\" & 'more' \\ {{data}}", "\u202Eمخطط\u202C", std::string(200, 'w')};
+  config.groups = {"<img src=x onerror=alert(1)>"};
+  config.scenarios_per_group = 1;
+  const auto run = synthetic::make_run(config);
+  open(write_report("hostile.html", input_of(run, "</title><b>")));
+  EXPECT_EQ(session_->evaluate("document.title"), "</title><b>");
+  EXPECT_EQ(count("'img, b > b, script:not([type]) + *'"), "0");
+  for (const std::string& planner : config.planners) {
+    EXPECT_THAT(text("'#overview'"), HasSubstr(planner));
+  }
+  EXPECT_EQ(count("'#scenes .track'"), std::to_string(config.planners.size()));
+  EXPECT_EQ(session_->evaluate("document.documentElement.scrollWidth <= window.innerWidth"),
+            "true");
+}
+
+TEST_F(Browser, AnEmptyRunIsAReportToo) {
+  open(write_report("empty.html", input_of({}, "Nothing ran")));
+  EXPECT_THAT(text("'#failures'"), HasSubstr("Every trial reached the goal"));
+}
+
+class ReplayPage : public Browser {
+ protected:
+  // Trials of the first repetition in the last scenario, in the order of the records.
+  void open_replay(const std::string& at) {
+    run_ = synthetic::make_run();
+    const std::string scenario = run_.records.back().scenario;
+    std::string ids;
+    for (const RunRecord& record : run_.records) {
+      if (record.scenario == scenario && record.repetition == 0) {
+        ids += (ids.empty() ? "" : ",") + record.trial_id;
+        for (const Trace& trace : run_.traces) {
+          if (trace.trial_id == record.trial_id) {
+            traces_.push_back(&trace);
+          }
+        }
+      }
+    }
+    file_ = write_report("replay.html", input_of(run_, "A replay"));
+    open(file_, "#replay=" + ids + at);
+    ASSERT_TRUE(session_->wait_for("document.querySelectorAll('.panels figure').length === 3"));
+  }
+
+  std::string panel(const Trace& trace) {
+    return "document.querySelector('.panels [data-trial=\"" + trace.trial_id + "\"]')";
+  }
+  std::string frame(const Trace& trace) {
+    return session_->evaluate(panel(trace) + ".dataset.frame");
+  }
+
+  synthetic::Run run_;
+  std::vector<const Trace*> traces_;
+  std::filesystem::path file_;
+};
+
+TEST_F(ReplayPage, ShowsTheStoredStateOfTheMomentInTheAddress) {
+  open_replay("&t=2.32");
+  ASSERT_EQ(traces_.size(), 3U);
+  for (const Trace* trace : traces_) {
+    const TraceFrame& stored = trace->frames.at(46);  // 2.30 s, the last scan by then
+    EXPECT_EQ(frame(*trace), "46");
+    const std::string shown = session_->evaluate(panel(*trace) + ".textContent");
+    EXPECT_THAT(shown, HasSubstr("position" + text_of(stored.x_m, 2) + ", " +
+                                 text_of(stored.y_m, 2) + " m"));
+    EXPECT_THAT(shown, HasSubstr("points known" + std::to_string(stored.known_points)));
+    EXPECT_THAT(shown, HasSubstr("mode" + trace->modes.at(static_cast<std::size_t>(stored.mode))));
+  }
+  EXPECT_THAT(text("'#replay-clock'"), HasSubstr("2.32 of "));
+  expect_quiet();
+}
+
+TEST_F(ReplayPage, KeysStepJumpAndPlay) {
+  open_replay("&t=1.00");
+  const Trace& trace = *traces_.front();
+  EXPECT_EQ(frame(trace), "20");
+  session_->press("ArrowRight");
+  EXPECT_EQ(frame(trace), "21");
+  session_->press("ArrowLeft");
+  session_->press("ArrowLeft");
+  EXPECT_EQ(frame(trace), "19");
+  session_->press(" ");
+  EXPECT_TRUE(session_->wait_for(panel(trace) + ".dataset.frame > 22"));
+  session_->press(" ");
+  const std::string stopped = text("'#replay-clock'");
+  EXPECT_EQ(session_->evaluate("new Promise(r => setTimeout(() => "
+                               "r(document.querySelector('#replay-clock').textContent), 200))"),
+            stopped);
+  expect_quiet();
+}
+
+TEST_F(ReplayPage, TheSliderMovesAllPanelsAndTheMapGrowsWithIt) {
+  open_replay("&t=0");
+  const std::string ink =
+      "(() => { const c = document.querySelector('.panels canvas');"
+      " const d = c.getContext('2d').getImageData(0, 0, c.width, c.height).data; let n = 0;"
+      " for (let i = 0; i < d.length; i += 4) if (d[i] + d[i+1] + d[i+2] < 300) ++n;"
+      " return n; })()";
+  for (const char* layer : {"true world", "rays", "clusters", "plan", "way"}) {
+    session_->evaluate(
+        "[...document.querySelectorAll('#replay .check')].find(c => "
+        "c.textContent.startsWith('" +
+        std::string(layer) + "')).firstChild.click()");
+  }
+  // The outlines of start and goal are dark too: known points must add to them.
+  const int before = std::stoi(session_->evaluate(ink));
+  session_->evaluate(
+      "(() => { const s = document.querySelector('.clock input[type=range]');"
+      " s.value = s.max; s.dispatchEvent(new Event('input')); })()");
+  for (const Trace* trace : traces_) {
+    EXPECT_EQ(frame(*trace), std::to_string(trace->frames.size() - 1));
+  }
+  EXPECT_GT(std::stoi(session_->evaluate(ink)), before + 60);
+}
+
+TEST_F(ReplayPage, APlannerCanBeTakenAwayAndTheMomentStays) {
+  open_replay("&t=1.50");
+  session_->evaluate("document.querySelector('#replay .controls input[type=checkbox]').click()");
+  EXPECT_TRUE(session_->wait_for("document.querySelectorAll('.panels figure').length === 2"));
+  EXPECT_THAT(text("'#replay-clock'"), HasSubstr("1.50 of "));
+  session_->evaluate("[...document.querySelectorAll('.clock button')].pop().click()");
+  EXPECT_THAT(session_->evaluate("location.hash"), HasSubstr("&t=1.50"));
+  expect_quiet();
+}
+
+TEST_F(ReplayPage, AnAddressThatNamesNothingOpensTheFirstScene) {
+  run_ = synthetic::make_run();
+  file_ = write_report("replay.html", input_of(run_, "A replay"));
+  for (const char* fragment : {"#replay=nobody&t=3", "#replay=%E0%A4%A", "#replay="}) {
+    open(file_, fragment);
+    EXPECT_TRUE(session_->wait_for("document.querySelectorAll('.panels figure').length === 3"));
+  }
+}
+
+TEST_F(Browser, LeavesPicturesOfThePages) {
+  synthetic::RunConfig config;
+  config.repetitions = 20;
+  const auto file =
+      write_report("synthetic.html", input_of(synthetic::make_run(config), "A synthetic suite"));
+  struct Picture {
+    const char* name;
+    browser::View view;
+  };
+  for (const auto& [name, view] : {Picture{"report-light.png", {1280, 7000, false}},
+                                   Picture{"report-dark.png", {1280, 7000, true}},
+                                   Picture{"report-phone.png", {390, 9000, false}}}) {
+    open(file, "", view);
+    session_->screenshot(folder() / name);
+    EXPECT_GT(std::filesystem::file_size(folder() / name), 100'000U) << name;
+    EXPECT_EQ(session_->evaluate("document.documentElement.scrollWidth <= window.innerWidth"),
+              "true")
+        << name;
+  }
+}
+
+}  // namespace
+}  // namespace voronaut

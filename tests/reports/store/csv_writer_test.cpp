@@ -1,0 +1,63 @@
+#include "voronaut/reports/store/csv_writer.h"
+
+#include <sstream>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "voronaut/reports/summary/column_text.h"
+#include "voronaut/tests/reports/synthetic_run.h"
+
+namespace voronaut {
+namespace {
+
+TEST(CsvField, QuotesOnlyWhatNeedsIt) {
+  EXPECT_EQ(csv_field("plain name"), "plain name");
+  EXPECT_EQ(csv_field("a,b"), "\"a,b\"");
+  EXPECT_EQ(csv_field("say \"hi\""), "\"say \"\"hi\"\"\"");
+  EXPECT_EQ(csv_field("two\nlines"), "\"two\nlines\"");
+  EXPECT_EQ(csv_field(""), "");
+}
+
+TEST(NumberText, IsTheShortestThatReadsBack) {
+  EXPECT_EQ(column_text(0.1), "0.1");
+  EXPECT_EQ(column_text(0.1 + 0.2), "0.30000000000000004");
+  EXPECT_EQ(column_text(3.0), "3");
+  EXPECT_EQ(column_text(-2.5e-9), "-2.5e-09");
+  EXPECT_EQ(column_text(kAbsent), "");
+}
+
+TEST(Csv, MatchesTheGoldenFile) {
+  // Measured columns differ from run to run: here they are absent, so the golden text has none.
+  RunRecord record = synthetic::make_record("t1");
+  record.planner = "RRT, \"fast\"";
+  record.planning_time_us_mean = kAbsent;
+  EXPECT_EQ(
+      records_to_csv({record}),
+      "trial_id,suite,scenario,scenario_group,world_id,vehicle,regulator,planner,repetition,seed,"
+      "outcome,reason,duration_s,path_length_m,shortest_length_m,shortest_at_clearance_m,"
+      "path_ratio,spl,clearance_min_m,clearance_mean_m,speed_mean_m_s,speed_max_m_s,end_x_m,"
+      "end_y_m,replans,state_checks,budget_stops,map_points,map_obstacles,modes,state_digest,"
+      "mapping_time_us_mean,mapping_time_us_p99,planning_time_us_mean,planning_time_us_p99,"
+      "step_time_us_mean,step_time_us_p99,cpu_time_s,memory_max_mb\r\n"
+      "t1,synthetic,between,paper,w0,quadrotor,pd_rate,\"RRT, \"\"fast\"\"\",2,"
+      "-9000000000000000001,goal_reached,at rest 0.1 m from the goal,0.30000000000000004,15.25,"
+      "14.2,,1.073943661971831,0.9311475409836065,0.51,,,,,,17,0,0,0,0,none left,,,,,,,,,\r\n");
+}
+
+TEST(Csv, HasOneLinePerRecordInTheGivenOrder) {
+  const auto run = synthetic::make_run();
+  std::istringstream lines(records_to_csv(run.records));
+  std::string line;
+  std::getline(lines, line);
+  std::size_t count = 0;
+  while (std::getline(lines, line)) {
+    EXPECT_THAT(line, ::testing::StartsWith(run.records.at(count).trial_id + ","));
+    EXPECT_EQ(line.back(), '\r');
+    ++count;
+  }
+  EXPECT_EQ(count, run.records.size());
+}
+
+}  // namespace
+}  // namespace voronaut

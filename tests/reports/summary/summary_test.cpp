@@ -1,0 +1,178 @@
+#include "voronaut/reports/summary/summary.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "voronaut/reports/summary/summary_text.h"
+#include "voronaut/reports/summary/text_table.h"
+#include "voronaut/tests/reports/synthetic_run.h"
+
+namespace voronaut {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::Not;
+
+RunRecord trial(const std::string& planner, const std::string& scenario, int repetition,
+                Outcome outcome, double path_ratio = kAbsent) {
+  RunRecord r;
+  r.trial_id = planner + "/" + scenario + "/" + std::to_string(repetition);
+  r.planner = planner;
+  r.scenario = scenario;
+  r.scenario_group = scenario.substr(0, scenario.find('-'));
+  r.vehicle = "quadrotor";
+  r.regulator = "pd_rate";
+  r.repetition = repetition;
+  r.outcome = outcome;
+  r.path_ratio = path_ratio;
+  r.spl = outcome == Outcome::goal_reached ? 1.0 / path_ratio : 0.0;
+  return r;
+}
+
+TEST(Summary, KeepsFailuresInTheDenominator) {
+  const Summary s = summarise({trial("a", "paper-1", 0, Outcome::goal_reached, 1.25),
+                               trial("a", "paper-1", 1, Outcome::collision),
+                               trial("a", "paper-1", 2, Outcome::crash),
+                               trial("a", "paper-1", 3, Outcome::invalid)});
+  ASSERT_EQ(s.groups.size(), 1U);
+  const PlannerSummary& a = s.groups.front();
+  EXPECT_EQ(a.n, 4);
+  EXPECT_EQ(a.success.successes, 1);
+  EXPECT_EQ(a.success.n, 4);
+  EXPECT_DOUBLE_EQ(a.success.value, 0.25);
+  EXPECT_DOUBLE_EQ(a.spl_mean.value, 0.2);
+  EXPECT_EQ(a.spl_mean.n, 4);
+  EXPECT_EQ(a.path_ratio_median.n, 1);
+  EXPECT_DOUBLE_EQ(a.path_ratio_median.value, 1.25);
+  EXPECT_EQ(a.outcomes[1], 1);
+  EXPECT_EQ(a.outcomes[6], 1);
+  EXPECT_EQ(a.outcomes[8], 1);
+  EXPECT_TRUE(s.totals.empty()) << "one group needs no pooled row";
+}
+
+TEST(Summary, ATrialThatNeverStartedCountsZeroInTheSpl) {
+  RunRecord never = trial("a", "paper-1", 1, Outcome::crash);
+  never.spl = kAbsent;
+  const Summary s = summarise({trial("a", "paper-1", 0, Outcome::goal_reached, 1.0), never});
+  EXPECT_DOUBLE_EQ(s.groups.front().spl_mean.value, 0.5);
+}
+
+TEST(Summary, KeepsVehiclesAndRegulatorsApartAndPoolsScenarioGroups) {
+  std::vector<RunRecord> records{trial("a", "paper-1", 0, Outcome::goal_reached, 1.1),
+                                 trial("a", "forest-1", 0, Outcome::timeout)};
+  records.push_back(records.front());
+  records.back().vehicle = "cart";
+  const Summary s = summarise(records);
+  ASSERT_EQ(s.groups.size(), 3U);
+  ASSERT_EQ(s.totals.size(), 1U);
+  EXPECT_TRUE(s.totals.front().group.all_scenarios);
+  EXPECT_EQ(s.totals.front().group.vehicle, "quadrotor");
+  EXPECT_EQ(s.totals.front().n, 2);
+}
+
+TEST(Summary, PairsPlannersOnTheSameScenarioAndRepetition) {
+  const Summary s = summarise({
+      trial("a", "paper-1", 0, Outcome::goal_reached, 1.10),
+      trial("b", "paper-1", 0, Outcome::goal_reached, 1.20),  // a is shorter
+      trial("a", "paper-1", 1, Outcome::goal_reached, 1.100),
+      trial("b", "paper-1", 1, Outcome::goal_reached, 1.105),  // within 1 %
+      trial("a", "paper-1", 2, Outcome::collision),
+      trial("b", "paper-1", 2, Outcome::goal_reached, 3.0),  // b arrived
+      trial("a", "paper-2", 0, Outcome::collision),
+      trial("b", "paper-2", 0, Outcome::timeout),            // both failed
+      trial("a", "paper-2", 1, Outcome::goal_reached, 1.0),  // b has no such trial
+      trial("b", "paper-2", 2, Outcome::goal_reached, 1.0),  // a has no such trial
+  });
+  ASSERT_EQ(s.pairings.size(), 1U);
+  const PlannerPairing& p = s.pairings.front();
+  EXPECT_EQ(p.planner_a, "a");
+  EXPECT_EQ(p.planner_b, "b");
+  EXPECT_EQ(p.n, 4);
+  EXPECT_EQ(p.wins_a, 1);
+  EXPECT_EQ(p.ties, 2);
+  EXPECT_EQ(p.wins_b, 1);
+  EXPECT_DOUBLE_EQ(p.win_share_a.value, 0.5);
+  EXPECT_EQ(p.win_share_a.n, 2);
+}
+
+TEST(Summary, OrdersScenarioGroupsAsAReaderWould) {
+  std::vector<RunRecord> records;
+  for (const char* group :
+       {"bearing 135", "bearing 45", "bearing 0", "a", "bearing 045", "bearing"}) {
+    records.push_back(trial("a", group, 0, Outcome::timeout));
+    records.back().scenario_group = group;
+  }
+  std::vector<std::string> order;
+  for (const PlannerSummary& s : summarise(records).groups) {
+    order.push_back(s.group.scenario_group);
+  }
+  EXPECT_THAT(order, ::testing::ElementsAre("a", "bearing", "bearing 0", "bearing 045",
+                                            "bearing 45", "bearing 135"));
+}
+
+TEST(Summary, DoesNotDependOnTheOrderOfRecords) {
+  auto run = synthetic::make_run();
+  const std::string forward = summary_json(summarise(run.records));
+  std::reverse(run.records.begin(), run.records.end());
+  EXPECT_EQ(summary_json(summarise(run.records)), forward);
+}
+
+TEST(SummaryText, ShowsOutcomesWithTheirIntervals) {
+  const std::string text = summary_text(summarise({
+      trial("a", "paper-1", 0, Outcome::goal_reached, 1.25),
+      trial("a", "paper-1", 1, Outcome::collision),
+      trial("long name", "paper-1", 0, Outcome::goal_reached, 1.5),
+  }));
+  EXPECT_THAT(text, HasSubstr("paper, quadrotor with pd_rate\n"));
+  EXPECT_THAT(
+      text,
+      HasSubstr("planner    n   success [95 %]  path ratio   95th  over    SPL  clearance m  m/s  "
+                "s to goal  plan us  ended otherwise\n"
+                "a          2     50 % [9, 91]       1.250  1.250     1  0.400            -    -  "
+                "        -        -  1 collision\n"
+                "long name  1  100 % [21, 100]       1.500  1.500     1  0.667            -    -  "
+                "        -        -\n"));
+  EXPECT_THAT(text, HasSubstr("planner  against    n  win  tie  loss"));
+}
+
+TEST(SummaryText, AlignsNamesOfOtherScriptsAndDefusesControlCharacters) {
+  const std::string text = summary_text(summarise({
+      trial("Планировщик", "paper-1", 0, Outcome::goal_reached, 1.25),
+      trial("\x1b[2Jevil\n", "paper-1", 0, Outcome::timeout),
+  }));
+  EXPECT_THAT(text, HasSubstr("?[2Jevil?    1 "));
+  EXPECT_THAT(text, HasSubstr("Планировщик  1 "));
+  EXPECT_THAT(text, Not(HasSubstr("\x1b")));
+  EXPECT_EQ(text_width("Планировщик"), 11U);
+}
+
+TEST(SummaryText, OfNothingIsEmpty) {
+  EXPECT_EQ(summary_text(summarise({})), "");
+  EXPECT_EQ(summary_json(summarise({})), R"({"groups":[],"pairings":[],"totals":[]})");
+}
+
+TEST(SummaryMarkdown, EscapesWhatMarkdownWouldRead) {
+  const std::string text =
+      summary_markdown(summarise({trial("as_published|x", "paper-1", 0, Outcome::timeout)}));
+  EXPECT_THAT(text, HasSubstr("| as\\_published\\|x | 1 | 0 % [0, 79] |"));
+  EXPECT_THAT(text, HasSubstr("|:---|---:|"));
+}
+
+TEST(SummaryJson, HoldsTheNumbersOfTheSummary) {
+  const auto run = synthetic::make_run();
+  const Summary s = summarise(run.records);
+  const auto json = nlohmann::json::parse(summary_json(s));
+  ASSERT_EQ(json["groups"].size(), s.groups.size());
+  for (std::size_t i = 0; i < s.groups.size(); ++i) {
+    const auto& g = json["groups"][i];
+    EXPECT_EQ(g["planner"], s.groups[i].planner);
+    EXPECT_EQ(g["success"]["successes"], s.groups[i].success.successes);
+    EXPECT_EQ(g["outcomes"]["collision"], s.groups[i].outcomes[1]);
+    EXPECT_EQ(g["path_ratio_median"]["value"], s.groups[i].path_ratio_median.value);
+  }
+  EXPECT_TRUE(json["groups"][0]["state_checks_median"]["interval"][0].is_number());
+}
+
+}  // namespace
+}  // namespace voronaut
