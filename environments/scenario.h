@@ -95,13 +95,17 @@ std::string placement_problem(const World& world, const Vec2& p);
 //   file: other.yaml            a scenario file, beside the file that names it
 //   world: {circles: [[x, y, r], ..], boxes: [[xmin, ymin, xmax, ymax], ..],
 //           polygons: [[[x, y], ..], ..], segments: [[[x, y], [x, y]], ..]}
-//   circles_csv: file.csv       columns x, y, r, beside the file that names it
+//   world_file: arena.map       a foreign file (formats/foreign_formats.h), beside the file that
+//                               names it; `format` where the file does not tell; `bounds`, `start`
+//                               and `goal` where it has none or others are wanted, or
+//                               `queries: arena.map.scen`, or
+//                               `queries: {file: arena.map.scen, pick: [17]}`, or a selection
+//                               (formats/query_selection.h) instead of `pick`
 //   generator: {name: forest, density_per_m2: 0.1, ..}
-//   dataset: barn | dodgedrone  one scenario for each world, or those of `pick`, or the first
-//   `limit`
-// `world` and `circles_csv` need bounds: [[xmin, ymin], [xmax, ymax]], start: [x, y], goal: [x, y].
-// All but `file` take the keys of TaskConfig, all but `dataset` start_heading_rad. Throws
-// ConfigError.
+//   dataset: barn               (formats/data_sets.h) one scenario for each world, or those of
+//                               `pick`, or of the selection `queries`, up to `limit`
+// `world` needs bounds: [[xmin, ymin], [xmax, ymax]], start: [x, y], goal: [x, y]. All but `file`
+// take the keys of TaskConfig, all but `dataset` start_heading_rad. Throws ConfigError.
 std::vector<ScenarioSpec> read_scenarios(const ConfigNode& entry, const DataLocation& data);
 
 }  // namespace voronaut

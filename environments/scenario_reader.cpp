@@ -1,31 +1,16 @@
-#include <algorithm>
-#include <filesystem>
 #include <stdexcept>
 #include <utility>
 
 #include "voronaut/environments/config/nearest_name.h"
+#include "voronaut/environments/foreign_scenarios.h"
 #include "voronaut/environments/formats/csv_table.h"
-#include "voronaut/environments/formats/data_sets.h"
-#include "voronaut/environments/scenario.h"
+#include "voronaut/environments/scenario_fields.h"
 #include "voronaut/environments/world.h"
 
 namespace voronaut {
 namespace {
 
 constexpr double kFar = kFarthestCoordinate;
-
-Vec2 read_point(const ConfigNode& node) {
-  const std::vector<double> xy = node.numbers(2, "[x, y]", -kFar, kFar);
-  return {xy[0], xy[1]};
-}
-
-Bounds read_bounds(const ConfigNode& node) {
-  const std::vector<ConfigNode> corners = node.items(2, "[[xmin, ymin], [xmax, ymax]]");
-  Bounds bounds{read_point(corners[0]), read_point(corners[1])};
-  if (!(bounds.min.array() < bounds.max.array()).all())
-    throw node.error("expected [[xmin, ymin], [xmax, ymax]] with xmin < xmax and ymin < ymax");
-  return bounds;
-}
 
 Circle read_circle(const ConfigNode& node) {
   const std::vector<ConfigNode> values = node.items(3, "[x, y, r]");
@@ -76,114 +61,30 @@ Shapes read_shapes(const ConfigNode& world) {
   return shapes;
 }
 
-// Names become file names, columns and arguments.
-void require_plain(const std::string& name, const ConfigNode& place) {
-  constexpr std::string_view kPlain =
-      "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-.+";
-  if (name.empty() || name.find_first_not_of(kPlain) != std::string::npos)
-    throw place.error("expected a name of letters, digits and _-.+, got " + in_quotes(name));
-}
-
-TaskConfig read_task(const ConfigNode& entry, const std::string& default_name,
-                     const std::vector<std::string>& other_keys) {
-  TaskConfig task;
-  task.name = default_name;
-  read_into(entry, task, other_keys);
-  if (task.name.empty() && !entry.find("name")) entry.child("name");
-  require_plain(task.name, entry.find("name").value_or(entry));
-  if (task.group.empty()) task.group = task.name;
-  require_plain(task.group, entry.find("group").value_or(entry));
-  return task;
-}
-
-std::optional<double> read_heading(const ConfigNode& entry) {
-  const auto heading = entry.find("start_heading_rad");
-  return heading ? std::optional(heading->number(-10, 10)) : std::nullopt;
-}
-
-std::string stem(const std::string& path) { return std::filesystem::path(path).stem().string(); }
-
 // A file's scenario is called like the file; one inside a list must say its name.
 std::string default_name(const ConfigNode& entry) {
   return entry.path().empty() ? stem(entry.file()) : "";
 }
 
-using Specs = std::vector<ScenarioSpec>;
-
-Specs read_fixed(const ConfigNode& entry, const std::string& source, const std::string& name,
-                 Shapes (*read)(const ConfigNode&)) {
-  const TaskConfig task =
-      read_task(entry, name, {source, "bounds", "start", "goal", "start_heading_rad"});
-  Shapes shapes = read(entry.child(source));
+ScenarioSpecs read_world_entry(const ConfigNode& entry, const DataLocation&) {
+  const ConfigNode place = entry.child("world");
+  const TaskConfig task = read_task(entry, default_name(entry),
+                                    {"world", "bounds", "start", "goal", "start_heading_rad"});
+  Shapes shapes = read_shapes(place);
   const Bounds bounds = read_bounds(entry.child("bounds"));
   const auto world = std::make_shared<const World>(bounds, std::move(shapes));
-  const auto placed = [&](const char* key) {
-    Vec2 p = read_point(entry.child(key));
-    const std::string problem = placement_problem(*world, p);
-    if (!problem.empty()) throw entry.child(key).error(problem);
-    return p;
-  };
-  const Vec2 start = placed("start");
-  const Vec2 goal = placed("goal");
-  return {ScenarioSpec::fixed(task, world, start, goal, read_heading(entry))};
+  return {placed_scenario(task, world, read_point(entry.child("start")),
+                          read_point(entry.child("goal")), entry, place)};
 }
 
-// The file that a key names.
-std::string existing_file(const ConfigNode& node) {
-  std::string path = node.beside(node.text());
-  std::error_code ignored;
-  if (!std::filesystem::is_regular_file(path, ignored))
-    throw node.error("no file " + in_quotes(path));
-  return path;
-}
-
-Shapes read_foreign_circles(const ConfigNode& file) {
-  Shapes shapes;
-  shapes.circles = read_circles_csv(existing_file(file));
-  return shapes;
-}
-
-Specs read_world(const ConfigNode& entry, const DataLocation&) {
-  return read_fixed(entry, "world", default_name(entry), read_shapes);
-}
-
-Specs read_circles(const ConfigNode& entry, const DataLocation&) {
-  const std::string file = entry.child("circles_csv").text();
-  return read_fixed(entry, "circles_csv", stem(file), read_foreign_circles);
-}
-
-Specs read_generator(const ConfigNode& entry, const DataLocation&) {
+ScenarioSpecs read_generator_entry(const ConfigNode& entry, const DataLocation&) {
   entry.child("generator").child("name");
   WorldGenerator generator = WorldGenerator::read(entry.child("generator"));
   const TaskConfig task = read_task(entry, generator.name(), {"generator", "start_heading_rad"});
   return {ScenarioSpec::generated(task, std::move(generator), read_heading(entry))};
 }
 
-Specs read_data_set_entry(const ConfigNode& entry, const DataLocation& data) {
-  const ConfigNode place = entry.child("dataset");
-  const std::string set = data_set_names()[place.choice(data_set_names())];
-  TaskConfig task = read_task(entry, set, {"dataset", "limit", "pick"});
-  if (const auto name = entry.find("name"))
-    throw name->error("the worlds of a data set have names of their own; use group");
-  DataSetSelection selection;
-  if (const auto pick = entry.find("pick")) selection.pick = pick->texts();
-  if (const auto limit = entry.find("limit"))
-    selection.limit = static_cast<int>(limit->whole_number(1, 1'000'000));
-  if (entry.find("pick") && entry.find("limit"))
-    throw entry.child("limit").error("cannot stand beside 'pick'");
-  Specs specs;
-  for (DataSetWorld& read : read_data_set(set, selection, data, place)) {
-    const auto world = std::make_shared<const World>(read.bounds, std::move(read.shapes));
-    for (const Vec2& p : {read.start, read.goal})
-      if (const std::string problem = placement_problem(*world, p); !problem.empty())
-        throw place.error(read.name + ": " + problem);
-    task.name = read.name;
-    specs.push_back(ScenarioSpec::fixed(task, world, read.start, read.goal));
-  }
-  return specs;
-}
-
-Specs read_scenario_file(const ConfigNode& entry, const DataLocation& data) {
+ScenarioSpecs read_scenario_file_entry(const ConfigNode& entry, const DataLocation& data) {
   entry.allow_only({"file"});
   const ConfigNode file = entry.child("file");
   if (entry.path().empty()) throw file.error("a scenario file cannot name another one");
@@ -192,14 +93,14 @@ Specs read_scenario_file(const ConfigNode& entry, const DataLocation& data) {
 
 struct Source {
   std::string key;
-  Specs (*read)(const ConfigNode&, const DataLocation&);
+  ScenarioSpecs (*read)(const ConfigNode&, const DataLocation&);
 };
 
 const std::vector<Source>& sources() {
-  static const std::vector<Source> all = {{"file", read_scenario_file},
-                                          {"world", read_world},
-                                          {"circles_csv", read_circles},
-                                          {"generator", read_generator},
+  static const std::vector<Source> all = {{"file", read_scenario_file_entry},
+                                          {"world", read_world_entry},
+                                          {"world_file", read_world_file_entry},
+                                          {"generator", read_generator_entry},
                                           {"dataset", read_data_set_entry}};
   return all;
 }

@@ -6,6 +6,8 @@
 #include "voronaut/benchmarks/suite/shipped_files.h"
 #include "voronaut/benchmarks/suite/suite_config.h"
 #include "voronaut/benchmarks/suite/suite_trials.h"
+#include "voronaut/environments/formats/data_sets.h"
+#include "voronaut/environments/formats/foreign_formats.h"
 #include "voronaut/environments/generators/world_generators.h"
 
 namespace voronaut {
@@ -36,8 +38,10 @@ Rows scenario_rows() {
   Rows rows = rows_of(shipped_files("scenarios"));
   for (const std::string& name : WorldGenerator::names())
     rows.emplace_back("generator: {name: " + name + "}", "random worlds");
-  rows.emplace_back("dataset: barn", "real worlds, from --data or VORONAUT_DATA");
-  rows.emplace_back("dataset: dodgedrone", "real worlds, from --data or VORONAUT_DATA");
+  for (const std::string& name : data_set_names())
+    rows.emplace_back("dataset: " + name, "real worlds, from --data or VORONAUT_DATA");
+  for (const ForeignFormat& format : foreign_formats())
+    rows.emplace_back("world_file: (format " + format.name + ")", format.summary);
   return rows;
 }
 

@@ -15,14 +15,6 @@
 namespace voronaut {
 namespace {
 
-std::optional<std::int64_t> parse_whole(std::string_view text) {
-  if (text.starts_with('+') && !text.starts_with("+-")) text.remove_prefix(1);
-  std::int64_t value = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc{} || end != text.data() + text.size()) return std::nullopt;
-  return value;
-}
-
 std::string range_text(double lo, double hi) {
   const bool bounded_below = std::isfinite(lo);
   const bool bounded_above = std::isfinite(hi);
@@ -57,6 +49,14 @@ std::optional<double> parse_number(std::string_view text) {
   return value;
 }
 
+std::optional<std::int64_t> parse_whole(std::string_view text) {
+  if (text.starts_with('+') && !text.starts_with("+-")) text.remove_prefix(1);
+  std::int64_t value = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc{} || end != text.data() + text.size()) return std::nullopt;
+  return value;
+}
+
 std::string number_text(double value) {
   if (value == 0) return "0";
   const double size = std::abs(value);
@@ -67,7 +67,7 @@ std::string number_text(double value) {
   return {text, result.ptr};
 }
 
-std::string read_text_file(const std::string& path) {
+std::string read_bytes(const std::string& path) {
   std::error_code ignored;
   if (std::filesystem::is_directory(path, ignored))
     throw ConfigError(path, 0, "", "cannot be read (is a folder)");
@@ -77,8 +77,13 @@ std::string read_text_file(const std::string& path) {
     throw ConfigError(path, 0, "", "cannot be read (" + std::string(std::strerror(errno)) + ")");
   std::ostringstream text;
   text << stream.rdbuf();
-  require_utf8(text.str(), path);
   return text.str();
+}
+
+std::string read_text_file(const std::string& path) {
+  std::string text = read_bytes(path);
+  require_utf8(text, path);
+  return text;
 }
 
 ConfigNode ConfigNode::read_file(const std::string& path) {

@@ -83,8 +83,11 @@ class ConfigNode {
 
 // The bytes of a file. Throws ConfigError if it is missing, a folder, unreadable or not UTF-8 text.
 std::string read_text_file(const std::string& path);
+// The same of any bytes.
+std::string read_bytes(const std::string& path);
 // A finite number as YAML and our CSV files may write it; nothing else around it.
 std::optional<double> parse_number(std::string_view text);
+std::optional<std::int64_t> parse_whole(std::string_view text);
 // The shortest decimal that reads back as the same double, without an exponent from 1e-4 to 1e15;
 // -0 is 0.
 std::string number_text(double value);

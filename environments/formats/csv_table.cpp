@@ -56,9 +56,13 @@ CsvTable CsvTable::read(const std::string& path, const std::vector<std::string>&
   return table;
 }
 
+bool CsvTable::has(std::string_view column) const {
+  return std::find(columns_.begin(), columns_.end(), column) != columns_.end();
+}
+
 std::size_t CsvTable::index_of(std::string_view column) const {
   const auto found = std::find(columns_.begin(), columns_.end(), column);
-  if (found == columns_.end()) std::abort();  // only required columns are ever asked for
+  if (found == columns_.end()) std::abort();  // only columns that are there are ever asked for
   return static_cast<std::size_t>(found - columns_.begin());
 }
 

@@ -18,6 +18,7 @@ class CsvTable {
   static CsvTable read(const std::string& path, const std::vector<std::string>& required_columns);
 
   std::size_t rows() const { return rows_.size(); }
+  bool has(std::string_view column) const;
   const std::string& text(std::size_t row, std::string_view column) const;
   // Throws ConfigError with file, line and column unless it is a finite number within the bounds.
   double number(std::size_t row, std::string_view column, double lo, double hi) const;

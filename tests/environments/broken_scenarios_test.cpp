@@ -96,14 +96,14 @@ const std::map<std::string, std::string> kMessages = {
      "infinite_bounds.yaml:2: key 'bounds[0][0]': expected a number from -100000 to 100000, got "
      "'-.inf'"},
     {"missing_bounds.yaml", "missing_bounds.yaml:1: key 'bounds': missing"},
-    {"missing_csv.yaml", "missing_csv.yaml:1: key 'circles_csv': no file 'nowhere.csv'"},
+    {"missing_csv.yaml", "missing_csv.yaml:1: key 'world_file': no file 'nowhere.csv'"},
     {"missing_start.yaml", "missing_start.yaml:1: key 'start': missing"},
     {"misspelt_key.yaml",
      "misspelt_key.yaml:5: key 'cruise_hieght_m': unknown key (allowed: world, bounds, start, "
      "goal, start_heading_rad, name, group, start_height_m, cruise_height_m, goal_tolerance_m; did "
      "you mean 'cruise_height_m'?)"},
     {"misspelt_source.yaml",
-     "misspelt_source.yaml:1: key 'wrold': unknown key (allowed: file, world, circles_csv, "
+     "misspelt_source.yaml:1: key 'wrold': unknown key (allowed: file, world, world_file, "
      "generator, dataset; did you mean 'world'?)"},
     {"nameless_generator.yaml", "nameless_generator.yaml:1: key 'generator.name': missing"},
     {"nan_start.yaml",
@@ -114,7 +114,7 @@ const std::map<std::string, std::string> kMessages = {
      "negative_radius.yaml:4: key 'world.circles[1][2]': expected a number from 0.001 to 1000, got "
      "'-0.5'"},
     {"no_source.yaml",
-     "no_source.yaml:1: expected one of the keys file, world, circles_csv, generator, dataset"},
+     "no_source.yaml:1: expected one of the keys file, world, world_file, generator, dataset"},
     {"not_a_map.yaml", "not_a_map.yaml:1: expected a map of keys, got a list of 2"},
     {"not_yaml.yaml", "not_yaml.yaml:2: not valid YAML: end of sequence flow not found"},
     {"only_comment.yaml", "only_comment.yaml: the file is empty"},
@@ -138,7 +138,8 @@ const std::map<std::string, std::string> kMessages = {
      "goal, start_heading_rad, name, group, start_height_m, cruise_height_m, goal_tolerance_m; did "
      "you mean 'cruise_height_m'?)"},
     {"unknown_dataset.yaml",
-     "unknown_dataset.yaml:1: key 'dataset': expected one of barn, dodgedrone, got 'bern' (did you "
+     "unknown_dataset.yaml:1: key 'dataset': expected one of barn, dodgedrone, movingai, mrpb, got "
+     "'bern' (did you "
      "mean 'barn'?)"},
     {"unknown_generator.yaml",
      "unknown_generator.yaml:1: key 'generator.name': expected one of forest, paper_scene, "
@@ -148,6 +149,27 @@ const std::map<std::string, std::string> kMessages = {
      "unknown_shape.yaml:2: key 'world.circels': unknown key (allowed: circles, boxes, polygons, "
      "segments; did you mean 'circles'?)"},
     {"wrong_type_start.yaml", "wrong_type_start.yaml:3: key 'start': expected [x, y], got 'here'"},
+    {"world_file_bad_cell.yaml",
+     "files/bad_cell.map:6: column 2: expected one of .GS@OTW, got 'x'"},
+    {"world_file_bad_pixel.yaml", "files/short.pgm:3: expected 4 bytes of pixels, got 3"},
+    {"world_file_bad_query.yaml",
+     "files/bad_query.scen:2: goal x: expected a whole number from 0 to 2, got '3'"},
+    {"world_file_format.yaml",
+     "world_file_format.yaml:2: key 'format': expected one of movingai, ros_map, circles_csv, got "
+     "'moving_ai' (did you mean 'movingai'?)"},
+    {"world_file_no_query.yaml",
+     "world_file_no_query.yaml:2: key 'queries.pick[0]': no query '7' among the 1 of the file"},
+    {"world_file_no_start.yaml", "world_file_no_start.yaml:1: key 'start': missing"},
+    {"world_file_option.yaml",
+     "world_file_option.yaml:2: key 'unknown': unknown key (allowed: world_file, format, bounds, "
+     "start, goal, queries, start_heading_rad, cell_size_m, name, group, start_height_m, "
+     "cruise_height_m, goal_tolerance_m)"},
+    {"world_file_start_and_queries.yaml",
+     "world_file_start_and_queries.yaml:3: key 'start': cannot stand beside 'queries'"},
+    {"world_file_unrecognised.yaml",
+     "files/empty.map: not recognised as one of the formats movingai, ros_map, circles_csv; name "
+     "its "
+     "format"},
     {"zero_radius.yaml",
      "zero_radius.yaml:1: key 'world.circles[0][2]': expected a number from 0.001 to 1000, got "
      "'0'"},

@@ -91,7 +91,7 @@ TEST(Scenario, NeedsANameInsideAList) {
 
 TEST(Scenario, IsFoundBesideTheFileThatNamesIt) {
   const Folder folder("beside");
-  folder.write("worlds/pillar.yaml", "circles_csv: circles.csv\nname: post\n" + kTail);
+  folder.write("worlds/pillar.yaml", "world_file: circles.csv\nname: post\n" + kTail);
   folder.write("worlds/circles.csv", "x, y, r\r\n4,0,0.5\r\n\r\n5,+1,2.5e-1\r\n");
   folder.write("suites/suite.yaml", "scenarios:\n  - file: ../worlds/pillar.yaml\n");
   const ConfigNode suite = ConfigNode::read_file(folder.path() + "/suites/suite.yaml");
@@ -164,6 +164,52 @@ TEST(DataSets, GiveOneScenarioForEachWorld) {
   EXPECT_EQ(error_of("name: x\ndataset: barn", location),
             "pillar.yaml:1: key 'name': the worlds of a data set have names of their own; use "
             "group");
+}
+
+TEST(DataSets, OfMapsGiveOneScenarioForEachSelectedQuery) {
+  const Folder data("maps");
+  data.write("mrpb/queries.csv",
+             "map,query,xmin,xmax,ymin,ymax,start_x,start_y,goal_x,goal_y\n"
+             "room,0,-1,1,-1,1,-0.75,0.75,0.75,0.75\nroom,1,-1,1,-1,1,0.75,0.75,-0.75,0.75\n");
+  data.write("mrpb/room/map.yaml",
+             "image: map.pgm\nresolution: 0.5\norigin: [-1, -1, 0]\noccupied_thresh: 0.65\n"
+             "free_thresh: 0.196\n");
+  data.write("mrpb/room/map.pgm",
+             "P2 4 4 255\n254 254 254 254\n254 254 254 254\n254 0 205 254\n254 0 0 254\n");
+  data.write("movingai/index.csv", "family,map,width,height\nmazes,m,20,4\n");
+  std::string rows;
+  for (int i = 0; i < 4; ++i) rows += "....................\n";
+  data.write("movingai/mazes/m.map", "type octile\nheight 4\nwidth 20\nmap\n" + rows);
+  std::string queries = "version 1\n";
+  for (int x = 0; x < 10; ++x)
+    queries += "0\tm\t20\t4\t" + std::to_string(x) + "\t1\t19\t2\t" + std::to_string(19 - x) + "\n";
+  data.write("movingai/mazes/m.map.scen", queries);
+  const DataLocation location{data.path(), "--data"};
+
+  const auto rooms = read("dataset: mrpb", location);
+  ASSERT_EQ(rooms.size(), 2U);
+  EXPECT_EQ(rooms[1].name(), "mrpb_room_1");
+  const Scenario room = rooms[0].instantiate(0);
+  EXPECT_EQ(room.world, rooms[1].instantiate(0).world);  // shared
+  EXPECT_EQ(room.world->shapes().polygons.size(), 1U);   // with the unknown one a square
+  EXPECT_LT(room.world->clearance_m({0.25, -0.25}), 0);
+  EXPECT_GT(read("dataset: mrpb\nunknown: free", location)[0].instantiate(0).world->clearance_m(
+                {0.25, -0.25}),
+            0);
+
+  const auto sampled = read("dataset: movingai\ncell_size_m: 1", location);
+  ASSERT_EQ(sampled.size(), 2U);  // two a map unless told otherwise
+  EXPECT_EQ(sampled[0].name(), read("dataset: movingai\ncell_size_m: 1", location)[0].name());
+  const auto all =
+      read("dataset: movingai\nqueries: {sample: 0, clearance_m: 0, shortest_m: 0}", location);
+  ASSERT_EQ(all.size(), 10U);
+  EXPECT_EQ(all[3].name(), "movingai_m_3");
+  EXPECT_EQ(all[3].instantiate(0).start_world, Vec2(0.875, 0.625));
+  const auto long_ones =
+      read("dataset: movingai\nqueries: {sample: 0, clearance_m: 0.2, shortest_m: 0, longest_m: 3}",
+           location);
+  EXPECT_EQ(long_ones.size(), 3U);  // 10, 11 and 12 cells of 0.25 m
+  EXPECT_EQ(read("dataset: movingai\npick: [movingai_m_7]", location)[0].name(), "movingai_m_7");
 }
 
 TEST(DataSets, SayHowToNameTheFolderThatIsMissing) {

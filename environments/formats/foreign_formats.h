@@ -1,0 +1,37 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "voronaut/environments/formats/foreign_world.h"
+
+// The catalogue of foreign formats: what can be drawn by `voronaut show` and named as `world_file`
+// in a scenario. docs/formats.md says what is read of each and what is ignored.
+namespace voronaut {
+
+struct ForeignFormat {
+  std::string name;
+  std::string summary;
+  // Whether a file with this ending (".map") and text is one of them.
+  bool (*recognises)(std::string_view ending, std::string_view text);
+  std::vector<std::string> options;  // keys of ForeignOptions that it uses
+  ForeignOptions defaults;
+  // Throws ConfigError.
+  ForeignWorld (*read)(const std::string& path, const ForeignOptions& options);
+};
+
+const std::vector<ForeignFormat>& foreign_formats();
+std::vector<std::string> foreign_format_names();
+
+// The format with that name, or, if the name is empty, the one that recognises the file. Throws
+// ConfigError that names the formats there are.
+const ForeignFormat& foreign_format(const std::string& name, const std::string& path);
+
+// The queries of a file for the world that was read from `world_path`: MovingAI's .scen, or a table
+// with the columns start_x, start_y, goal_x, goal_y in m; if it has a column `map`, those of the
+// rows that name the world's file without its ending, or its folder. Throws ConfigError.
+std::vector<ForeignQuery> read_queries(const std::string& path, const std::string& world_path,
+                                       const ForeignWorld& world);
+
+}  // namespace voronaut

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace voronaut {
+
+// A grey image: rows from the top, columns from the left, values from 0 (black) to `white`.
+struct GreyImage {
+  int columns = 0;
+  int rows = 0;
+  int white = 255;  // up to 65535
+  std::vector<std::uint16_t> values;
+
+  int value(int column, int row) const {
+    return values[static_cast<std::size_t>(row) * static_cast<std::size_t>(columns) +
+                  static_cast<std::size_t>(column)];
+  }
+};
+
+// A PGM image, plain (P2) or raw (P5), with comments; https://netpbm.sourceforge.net/doc/pgm.html.
+// Throws ConfigError; in raw data there are no lines to name.
+GreyImage parse_pgm(std::string_view bytes, const std::string& file);
+
+}  // namespace voronaut
