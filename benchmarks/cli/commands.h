@@ -26,5 +26,7 @@ ExitCode execute(const ReplayOptions& options, const CommandContext& context);
 ExitCode execute(const DigestOptions& options, const CommandContext& context);
 ExitCode execute(const ReportOptions& options, const CommandContext& context);
 ExitCode execute(const PlotOptions& options, const CommandContext& context);
+ExitCode execute(const ShowOptions& options, const CommandContext& context);
+ExitCode execute(const ExportOptions& options, const CommandContext& context);
 
 }  // namespace voronaut

@@ -49,6 +49,8 @@ struct Commands {
     report_command = add_command(app, "report", "Write results.csv and report.html again");
     add_folder(report_command, report.folder);
     add_plot(app);
+    add_show(app);
+    add_export(app);
   }
 
   void add_run(CLI::App& app) {
@@ -81,6 +83,25 @@ struct Commands {
     plot_command->add_option("-o,--output", plot.out, "SVG file")->required();
   }
 
+  void add_show(CLI::App& app) {
+    show_command = add_command(app, "show", "Draw a scenario or a foreign world as an SVG figure");
+    show_command->add_option("FILE", show.file, "Scenario file, or a file of docs/formats.md")
+        ->required();
+    show_command->add_option("-o,--output", show.out, "SVG file")->required();
+    show_command->add_option("--seed", show.seed, "Of a random world")
+        ->check(CLI::Range(std::int64_t{0}, std::numeric_limits<std::int64_t>::max()));
+    add_data(show_command, show.data);
+  }
+
+  void add_export(CLI::App& app) {
+    export_command = add_command(app, "export", "Write results in a format of other tools");
+    add_folder(export_command, exported.folder);
+    export_command->add_option("--format", exported.format)
+        ->required()
+        ->check(CLI::IsMember({"ompl-log", "plannerarena", "csv", "mcap"}));
+    export_command->add_option("-o,--output", exported.out, "File [export.* in DIR]");
+  }
+
   Options chosen() const {
     if (run_command->parsed()) return run;
     if (summary_command->parsed()) return summary;
@@ -89,6 +110,8 @@ struct Commands {
     if (replay_command->parsed()) return replay;
     if (digest_command->parsed()) return digest;
     if (report_command->parsed()) return report;
+    if (show_command->parsed()) return show;
+    if (export_command->parsed()) return exported;
     return plot;
   }
 
@@ -100,6 +123,8 @@ struct Commands {
   DigestOptions digest;
   ReportOptions report;
   PlotOptions plot;
+  ShowOptions show;
+  ExportOptions exported;
 
   CLI::App* run_command = nullptr;
   CLI::App* summary_command = nullptr;
@@ -109,6 +134,8 @@ struct Commands {
   CLI::App* digest_command = nullptr;
   CLI::App* report_command = nullptr;
   CLI::App* plot_command = nullptr;
+  CLI::App* show_command = nullptr;
+  CLI::App* export_command = nullptr;
 };
 
 }  // namespace

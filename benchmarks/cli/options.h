@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <iosfwd>
 #include <optional>
 #include <string>
@@ -53,8 +54,21 @@ struct PlotOptions {
   std::string out;                     // an SVG file
 };
 
+struct ShowOptions {
+  std::string file;  // a scenario or a foreign world
+  std::string out;   // an SVG file
+  std::uint64_t seed = 1;
+  std::string data;
+};
+
+struct ExportOptions {
+  std::string folder;
+  std::string format;  // ompl-log, plannerarena, csv, mcap
+  std::string out;     // empty: export.<ending> in the folder
+};
+
 using Options = std::variant<RunOptions, SummaryOptions, ListOptions, CheckOptions, ReplayOptions,
-                             DigestOptions, ReportOptions, PlotOptions>;
+                             DigestOptions, ReportOptions, PlotOptions, ShowOptions, ExportOptions>;
 
 // 0: done. 1: ran, but something failed. 2: bad input.
 enum class ExitCode { success = 0, failure = 1, bad_input = 2 };

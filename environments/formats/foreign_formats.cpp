@@ -102,6 +102,14 @@ std::vector<std::string> foreign_format_names() {
   return names;
 }
 
+bool is_foreign_file(const std::string& path) {
+  const std::string ending = ending_of(path);
+  const std::string text = read_bytes(path);
+  return (ending != ".yaml" && ending != ".yml") ||
+         std::any_of(foreign_formats().begin(), foreign_formats().end(),
+                     [&](const ForeignFormat& format) { return format.recognises(ending, text); });
+}
+
 const ForeignFormat& foreign_format(const std::string& name, const std::string& path) {
   const std::string text = name.empty() ? read_bytes(path) : "";
   const auto found =

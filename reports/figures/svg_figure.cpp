@@ -229,7 +229,7 @@ class Figure {
     for (const FigureTrack& t : panel.tracks) {
       track(view, t);
     }
-    places(view, w);
+    if (panel.ends) places(view, w);
     scale(view);
     return {view.width(), view.height() + 20};
   }

@@ -21,6 +21,7 @@ struct FigurePanel {
   std::string title;
   TraceWorld world;
   std::vector<FigureTrack> tracks;
+  bool ends = true;  // start and goal are drawn
 };
 
 struct FigureConfig {

@@ -1,0 +1,126 @@
+#include "voronaut/reports/export/planner_benchmark.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <string_view>
+#include <type_traits>
+
+#include "voronaut/reports/summary/column_text.h"
+
+namespace voronaut {
+namespace {
+
+constexpr double kProgressPeriod_s = 0.5;
+
+bool is_left_out(std::string_view column) {
+  constexpr std::string_view kLeftOut[] = {"suite", "planner", "reason", "modes", "state_digest"};
+  return std::find(std::begin(kLeftOut), std::end(kLeftOut), column) != std::end(kLeftOut);
+}
+
+template <class Value>
+std::string type_of() {
+  if (std::is_same_v<Value, Outcome>) return "ENUM";
+  if (std::is_same_v<Value, std::int64_t>) return "INTEGER";
+  return std::is_same_v<Value, double> ? "REAL" : "STRING";
+}
+
+// The formats end a value at these.
+std::string plain(std::string text) {
+  for (char& c : text)
+    if (c == ';' || c == ',' || c == '\n' || c == '\r') c = ' ';
+  return text;
+}
+
+std::string finite_text(double value) { return std::isfinite(value) ? column_text(value) : ""; }
+
+template <class Value>
+std::string text_of(const Value& value) {
+  if constexpr (std::is_same_v<Value, Outcome>) {
+    const auto at = std::find(kOutcomes.begin(), kOutcomes.end(), value);
+    return std::to_string(at - kOutcomes.begin());
+  } else if constexpr (std::is_same_v<Value, std::int64_t>) {
+    return std::to_string(value);
+  } else if constexpr (std::is_same_v<Value, double>) {
+    return finite_text(value);
+  } else {
+    return plain(value);
+  }
+}
+
+std::string column_name(std::string_view name) {
+  if (name == "seed") return "trial_seed";
+  if (name == "outcome") return "status";
+  return std::string(name);
+}
+
+std::vector<BenchmarkColumn> run_columns() {
+  std::vector<BenchmarkColumn> columns = {
+      {"time", "REAL"}, {"memory", "REAL"}, {"solved", "BOOLEAN"}};
+  RunRecord().visit([&](const char* name, const auto& value, ColumnKind) {
+    if (!is_left_out(name))
+      columns.push_back({column_name(name), type_of<std::remove_cvref_t<decltype(value)>>()});
+  });
+  return columns;
+}
+
+BenchmarkRow run_row(const RunRecord& record) {
+  BenchmarkRow row = {finite_text(record.duration_s), finite_text(record.memory_max_mb),
+                      record.outcome == Outcome::goal_reached ? "1" : "0"};
+  record.visit([&](const char* name, const auto& value, ColumnKind) {
+    if (!is_left_out(name)) row.push_back(text_of(value));
+  });
+  return row;
+}
+
+std::vector<BenchmarkRow> progress_of(const Trace& trace, const TracePoint& goal) {
+  std::vector<BenchmarkRow> rows;
+  double flown_m = 0;
+  double next_s = 0;
+  double last_s = -1;
+  for (std::size_t i = 0; i < trace.frames.size(); ++i) {
+    const TraceFrame& frame = trace.frames[i];
+    if (i > 0)
+      flown_m +=
+          std::hypot(frame.x_m - trace.frames[i - 1].x_m, frame.y_m - trace.frames[i - 1].y_m);
+    const bool is_last = i + 1 == trace.frames.size();
+    if ((frame.t_s < next_s && !is_last) || frame.t_s <= last_s) continue;
+    rows.push_back({finite_text(std::hypot(goal.x_m - frame.x_m, goal.y_m - frame.y_m)),
+                    finite_text(flown_m), finite_text(frame.planning_time_us),
+                    finite_text(frame.t_s)});
+    last_s = frame.t_s;
+    next_s = frame.t_s + kProgressPeriod_s;
+  }
+  return rows;
+}
+
+}  // namespace
+
+void add_stored_runs(const ResultStore& store, PlannerBenchmark& benchmark) {
+  benchmark.enum_name = "status";
+  for (const Outcome outcome : kOutcomes) benchmark.enum_words.emplace_back(to_string(outcome));
+  benchmark.run_columns = run_columns();
+  benchmark.progress_columns = {{"distance_to_goal_m", "REAL"},
+                                {"flown_length_m", "REAL"},
+                                {"planning_time_us", "REAL"},
+                                {"time", "REAL"}};
+  std::map<std::string, TracePoint> goals;
+  for (const TraceWorld& world : store.worlds()) goals[world.world_id] = world.goal;
+  std::map<std::string, BenchmarkedPlanner> planners;
+  for (const RunRecord& record : store.records()) {
+    BenchmarkedPlanner& planner = planners[record.planner];
+    planner.name = record.planner;
+    planner.runs.push_back(run_row(record));
+    const auto trace = store.trace(record.trial_id);
+    planner.progress.push_back(trace ? progress_of(*trace, goals[record.world_id])
+                                     : std::vector<BenchmarkRow>{});
+    if (std::isfinite(record.cpu_time_s)) benchmark.total_time_s += record.cpu_time_s;
+  }
+  for (auto& [name, planner] : planners) {
+    const int runs = static_cast<int>(planner.runs.size());
+    benchmark.runs_per_planner = std::max(benchmark.runs_per_planner, runs);
+    benchmark.planners.push_back(std::move(planner));
+  }
+}
+
+}  // namespace voronaut
