@@ -6,8 +6,13 @@
 #include "voronaut/environments/config/config_node.h"
 #include "voronaut/environments/config/nearest_name.h"
 #include "voronaut/environments/formats/csv_table.h"
+#include "voronaut/environments/formats/dodgedrone.h"
+#include "voronaut/environments/formats/ir_sim.h"
 #include "voronaut/environments/formats/movingai.h"
+#include "voronaut/environments/formats/ompl_worlds.h"
+#include "voronaut/environments/formats/pathbench.h"
 #include "voronaut/environments/formats/ros_map.h"
+#include "voronaut/environments/formats/sdf_world.h"
 
 namespace voronaut {
 namespace {
@@ -24,6 +29,12 @@ bool has_line(std::string_view text, std::string_view beginning) {
     if (at != std::string_view::npos) ++at;
   }
   return false;
+}
+
+ForeignOptions unit_cells() {
+  ForeignOptions options;
+  options.cell_size_m = 1;
+  return options;
 }
 
 ForeignWorld read_movingai(const std::string& path, const ForeignOptions& options) {
@@ -87,6 +98,66 @@ const std::vector<ForeignFormat>& foreign_formats() {
        {"unknown"},
        {},
        read_ros_map},
+      {"sdf",
+       "Gazebo world of cylinders and boxes, as BARN's (.world)",
+       [](std::string_view ending, std::string_view text) {
+         return ending == ".world" || (ending == ".sdf" && text.find("<sdf") != text.npos);
+       },
+       {},
+       {},
+       [](const std::string& path, const ForeignOptions&) {
+         return parse_sdf_world(read_text_file(path), path);
+       }},
+      {"pathbench",
+       "PathBench dense map (.json)",
+       [](std::string_view ending, std::string_view) { return ending == ".json"; },
+       {"cell_size_m"},
+       unit_cells(),
+       [](const std::string& path, const ForeignOptions& options) {
+         return read_pathbench(ConfigNode::read_file(path), options.cell_size_m);
+       }},
+      {"ir_sim",
+       "IR-SIM world (.yaml)",
+       [](std::string_view ending, std::string_view text) {
+         return (ending == ".yaml" || ending == ".yml") && has_line(text, "robot:") &&
+                has_line(text, "world:");
+       },
+       {},
+       {},
+       [](const std::string& path, const ForeignOptions&) {
+         return read_ir_sim(ConfigNode::read_file(path));
+       }},
+      {"dodgedrone",
+       "DodgeDrone spheres (static_obstacles.csv)",
+       [](std::string_view ending, std::string_view text) {
+         const std::string_view first = text.substr(0, text.find('\n'));
+         return ending == ".csv" && std::count(first.begin(), first.end(), ',') == 10;
+       },
+       {"cut", "height_m"},
+       {},
+       [](const std::string& path, const ForeignOptions& options) {
+         return parse_dodgedrone(read_text_file(path), path, options);
+       }},
+      {"ompl_circles",
+       "circles of OMPL's tests (.txt)",
+       [](std::string_view ending, std::string_view text) {
+         return ending == ".txt" && has_line(text, "units:");
+       },
+       {},
+       {},
+       [](const std::string& path, const ForeignOptions&) {
+         return parse_ompl_circles(read_text_file(path), path);
+       }},
+      {"ompl_env",
+       "grid of OMPL's tests (.txt)",
+       [](std::string_view ending, std::string_view text) {
+         return ending == ".txt" && has_line(text, "discretization(cells):");
+       },
+       {"cell_size_m"},
+       unit_cells(),
+       [](const std::string& path, const ForeignOptions& options) {
+         return parse_ompl_environment(read_text_file(path), path, options.cell_size_m);
+       }},
       {"circles_csv",
        "circles, columns x, y, r (.csv)",
        [](std::string_view ending, std::string_view) { return ending == ".csv"; },
@@ -128,6 +199,7 @@ const ForeignFormat& foreign_format(const std::string& name, const std::string& 
 std::vector<ForeignQuery> read_queries(const std::string& path, const std::string& world_path,
                                        const ForeignWorld& world) {
   if (ending_of(path) == ".csv") return read_query_table(path, world_path);
+  if (ending_of(path) == ".txt") return parse_ompl_circle_queries(read_text_file(path), path);
   if (!world.cells)
     throw ConfigError(path, 0, "", "cells of " + in_quotes(world_path) + ", which is no grid");
   return parse_movingai_scen(read_text_file(path), path, *world.cells);

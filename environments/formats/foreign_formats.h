@@ -31,7 +31,8 @@ const ForeignFormat& foreign_format(const std::string& name, const std::string& 
 // Whether a file is to be read as one of them: it is recognised, or is no YAML, which is ours.
 bool is_foreign_file(const std::string& path);
 
-// The queries of a file for the world that was read from `world_path`: MovingAI's .scen, or a table
+// The queries of a file for the world that was read from `world_path`: MovingAI's .scen, OMPL's
+// circle_queries.txt, or a table
 // with the columns start_x, start_y, goal_x, goal_y in m; if it has a column `map`, those of the
 // rows that name the world's file without its ending, or its folder. Throws ConfigError.
 std::vector<ForeignQuery> read_queries(const std::string& path, const std::string& world_path,

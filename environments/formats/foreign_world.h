@@ -47,16 +47,23 @@ struct ForeignQuery {
 // What a map says about places that nobody has seen.
 enum class UnknownCells { free, blocked };
 
+// What is taken of spheres in space: where they meet a plane, or all below and above them as well.
+enum class SphereCut { plane, columns };
+
 // How a file is read, where its format leaves that open. Each format uses some of these.
 struct ForeignOptions {
   double cell_size_m = 0.25;                     // of a grid that has no size of its own
   UnknownCells unknown = UnknownCells::blocked;  // what unknown cells of a map are taken for
+  SphereCut cut = SphereCut::plane;
+  double height_m = 1;  // of the plane
 
   template <class Visitor>
   void visit(Visitor& v) {
     v.number("cell_size_m", cell_size_m, 0.001, 1000);
     v.choice("unknown", unknown,
              {{"free", UnknownCells::free}, {"blocked", UnknownCells::blocked}});
+    v.choice("cut", cut, {{"plane", SphereCut::plane}, {"columns", SphereCut::columns}});
+    v.number("height_m", height_m, 0, 100);
   }
 };
 

@@ -1,0 +1,57 @@
+#include "voronaut/environments/formats/dodgedrone.h"
+
+#include <cmath>
+
+#include "voronaut/environments/formats/csv_table.h"
+#include "voronaut/environments/formats/text_lines.h"
+
+namespace voronaut {
+namespace {
+
+constexpr double kParked_m = 1000;
+
+std::vector<std::string_view> fields_of(std::string_view line) {
+  std::vector<std::string_view> fields;
+  for (std::size_t comma = 0; comma != std::string_view::npos;) {
+    comma = line.find(',');
+    std::string_view field = line.substr(0, comma);
+    while (!field.empty() && (field.front() == ' ' || field.front() == '\t'))
+      field.remove_prefix(1);
+    while (!field.empty() && (field.back() == ' ' || field.back() == '\t')) field.remove_suffix(1);
+    fields.push_back(field);
+    if (comma != std::string_view::npos) line.remove_prefix(comma + 1);
+  }
+  return fields;
+}
+
+}  // namespace
+
+ForeignWorld parse_dodgedrone(std::string_view text, const std::string& file,
+                              const ForeignOptions& options) {
+  constexpr double kFar = kFarthestCoordinate;
+  ForeignWorld world;
+  world.bounds = Bounds{{-2, -12}, {20, 12}};
+  world.start = Vec2(0, 0);
+  world.goal = Vec2(18, 0);
+  TextLines lines(text, file);
+  while (lines.next()) {
+    if (lines.words().empty()) continue;
+    const auto fields = fields_of(lines.line());
+    if (fields.size() != 11)
+      throw lines.error("expected 11 fields (prefab, x, y, z, qw, qx, qy, qz, sx, sy, sz), got " +
+                        std::to_string(fields.size()));
+    const double x = lines.real(fields[1], "x", -kFar, kFar);
+    const double y = lines.real(fields[2], "y", -kFar, kFar);
+    const double z = lines.real(fields[3], "z", -kFar, kFar);
+    const double radius_m = lines.real(fields[8], "sx", kSmallestRadius, kLargestRadius) / 2;
+    if (std::abs(x) >= kParked_m || std::abs(y) >= kParked_m || std::abs(z) >= kParked_m) continue;
+    const double above_m = options.cut == SphereCut::columns ? 0 : z - options.height_m;
+    const double left_sq = radius_m * radius_m - above_m * above_m;
+    if (left_sq >= kSmallestRadius * kSmallestRadius)
+      world.shapes.circles.push_back({{x, y}, std::sqrt(left_sq)});
+  }
+  if (lines.number() == 0) throw lines.error("the file is empty");
+  return world;
+}
+
+}  // namespace voronaut

@@ -1,0 +1,44 @@
+#include "voronaut/environments/formats/pathbench.h"
+
+#include "voronaut/environments/formats/blocked_cells.h"
+
+namespace voronaut {
+
+ForeignWorld read_pathbench(const ConfigNode& root, double cell_size_m) {
+  root.allow_only({"type", "version", "grid", "agent", "goal"});
+  root.child("type").choice({"DenseMap"});
+  const ConfigNode grid = root.child("grid");
+  const std::vector<ConfigNode> rows = grid.items();
+  if (rows.empty()) throw grid.error("expected at least one row");
+  const std::size_t columns = rows.front().items().size();
+  constexpr std::size_t kLongest = BlockedCells::kLongestSide;
+  if (columns == 0 || columns > kLongest || rows.size() > kLongest)
+    throw grid.error("expected 1 to " + std::to_string(kLongest) + " rows and columns");
+  const CellFrame frame{static_cast<int>(columns), static_cast<int>(rows.size()), cell_size_m};
+  if (!BlockedCells::may_have(frame.columns, frame.rows))
+    throw grid.error("more than " + std::to_string(BlockedCells::kMostCells) + " cells");
+  BlockedCells cells(frame.columns, frame.rows);
+  const std::string form = "a row of " + std::to_string(columns) + " cells";
+  for (int row = 0; row < frame.rows; ++row) {
+    const auto values = rows[static_cast<std::size_t>(row)].items(columns, form);
+    for (int column = 0; column < frame.columns; ++column) {
+      const ConfigNode& cell = values[static_cast<std::size_t>(column)];
+      const double value = cell.number(0, 3);
+      if (value != 0 && value != 1 && value != 2 && value != 3)
+        throw cell.error("expected 0 (free), 1 (wall), 2 (agent) or 3 (goal)");
+      if (value == 1) cells.block(column, frame.rows - 1 - row);
+    }
+  }
+  const auto place = [&](const char* key) {
+    const auto index = root.child(key).items(2, "[row, column]");
+    const auto row = static_cast<int>(index[0].whole_number(0, frame.rows - 1));
+    const auto column = static_cast<int>(index[1].whole_number(0, frame.columns - 1));
+    return frame.center(column, frame.rows - 1 - row);
+  };
+  ForeignWorld world = world_of(cells, frame);
+  world.start = place("agent");
+  world.goal = place("goal");
+  return world;
+}
+
+}  // namespace voronaut
