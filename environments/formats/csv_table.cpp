@@ -30,9 +30,14 @@ std::vector<std::string> fields_of(std::string_view line) {
 }  // namespace
 
 CsvTable CsvTable::read(const std::string& path, const std::vector<std::string>& required_columns) {
+  return parse(read_text_file(path), path, required_columns);
+}
+
+CsvTable CsvTable::parse(const std::string& text, const std::string& path,
+                         const std::vector<std::string>& required_columns) {
   CsvTable table;
   table.path_ = path;
-  std::istringstream stream(read_text_file(path));
+  std::istringstream stream(text);
   int line_number = 0;
   for (std::string line; std::getline(stream, line);) {
     ++line_number;
@@ -81,7 +86,11 @@ double CsvTable::number(std::size_t row, std::string_view column, double lo, dou
 }
 
 std::vector<Circle> read_circles_csv(const std::string& path) {
-  const CsvTable table = CsvTable::read(path, {"x", "y", "r"});
+  return parse_circles_csv(read_text_file(path), path);
+}
+
+std::vector<Circle> parse_circles_csv(const std::string& text, const std::string& path) {
+  const CsvTable table = CsvTable::parse(text, path, {"x", "y", "r"});
   std::vector<Circle> circles;
   circles.reserve(table.rows());
   for (std::size_t row = 0; row < table.rows(); ++row) {

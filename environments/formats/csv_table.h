@@ -16,6 +16,9 @@ class CsvTable {
   // Throws ConfigError for a file that cannot be read, is empty, lacks one of these columns or has
   // a row of another length.
   static CsvTable read(const std::string& path, const std::vector<std::string>& required_columns);
+  // The same of a text; `path` is what errors call it.
+  static CsvTable parse(const std::string& text, const std::string& path,
+                        const std::vector<std::string>& required_columns);
 
   std::size_t rows() const { return rows_.size(); }
   bool has(std::string_view column) const;
@@ -44,5 +47,6 @@ inline constexpr double kLargestRadius = 1'000;
 
 // A list of circles: columns x, y, r in m; others are ignored.
 std::vector<Circle> read_circles_csv(const std::string& path);
+std::vector<Circle> parse_circles_csv(const std::string& text, const std::string& path);
 
 }  // namespace voronaut

@@ -155,8 +155,9 @@ const std::map<std::string, std::string> kMessages = {
     {"world_file_bad_query.yaml",
      "files/bad_query.scen:2: goal x: expected a whole number from 0 to 2, got '3'"},
     {"world_file_format.yaml",
-     "world_file_format.yaml:2: key 'format': expected one of movingai, ros_map, circles_csv, got "
-     "'moving_ai' (did you mean 'movingai'?)"},
+     "world_file_format.yaml:2: key 'format': expected one of movingai, ros_map, sdf, pathbench, "
+     "ir_sim, dodgedrone, ompl_circles, ompl_env, circles_csv, got 'moving_ai' (did you mean "
+     "'movingai'?)"},
     {"world_file_no_query.yaml",
      "world_file_no_query.yaml:2: key 'queries.pick[0]': no query '7' among the 1 of the file"},
     {"world_file_no_start.yaml", "world_file_no_start.yaml:1: key 'start': missing"},
@@ -167,9 +168,8 @@ const std::map<std::string, std::string> kMessages = {
     {"world_file_start_and_queries.yaml",
      "world_file_start_and_queries.yaml:3: key 'start': cannot stand beside 'queries'"},
     {"world_file_unrecognised.yaml",
-     "files/empty.map: not recognised as one of the formats movingai, ros_map, circles_csv; name "
-     "its "
-     "format"},
+     "files/empty.map: not recognised as one of the formats movingai, ros_map, sdf, pathbench, "
+     "ir_sim, dodgedrone, ompl_circles, ompl_env, circles_csv; name its format"},
     {"zero_radius.yaml",
      "zero_radius.yaml:1: key 'world.circles[0][2]': expected a number from 0.001 to 1000, got "
      "'0'"},

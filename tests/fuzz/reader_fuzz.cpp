@@ -1,0 +1,61 @@
+#include <cstdint>
+#include <cstdlib>
+#include <map>
+#include <string>
+
+#include "voronaut/environments/config/config_node.h"
+#include "voronaut/environments/formats/csv_table.h"
+#include "voronaut/environments/formats/dodgedrone.h"
+#include "voronaut/environments/formats/ir_sim.h"
+#include "voronaut/environments/formats/movingai.h"
+#include "voronaut/environments/formats/ompl_worlds.h"
+#include "voronaut/environments/formats/pathbench.h"
+#include "voronaut/environments/formats/ros_map.h"
+#include "voronaut/environments/formats/sdf_world.h"
+
+// A libFuzzer target for each reader of foreign files: the environment variable VORONAUT_READER
+// names it. Whatever the bytes are, a reader returns a world or throws ConfigError.
+namespace voronaut {
+namespace {
+
+using Reader = void (*)(const std::string& text);
+
+const std::map<std::string, Reader> kReaders = {
+    {"movingai_map",
+     [](const std::string& text) {
+       const BlockedCells cells = parse_movingai_map(text, "f");
+       world_of(cells, {cells.columns(), cells.rows(), 0.25});
+     }},
+    {"movingai_scen",
+     [](const std::string& text) {
+       parse_movingai_scen(text, "f", {4, 3, 0.25});
+     }},
+    {"pgm", [](const std::string& text) { parse_pgm(text, "f"); }},
+    {"ros_map",
+     [](const std::string& text) { read_ros_map_description(ConfigNode::parse(text, "f")); }},
+    {"sdf", [](const std::string& text) { parse_sdf_world(text, "f"); }},
+    {"pathbench", [](const std::string& text) { read_pathbench(ConfigNode::parse(text, "f"), 1); }},
+    {"ir_sim", [](const std::string& text) { read_ir_sim(ConfigNode::parse(text, "f")); }},
+    {"dodgedrone", [](const std::string& text) { parse_dodgedrone(text, "f", {}); }},
+    {"ompl_circles", [](const std::string& text) { parse_ompl_circles(text, "f"); }},
+    {"ompl_circle_queries", [](const std::string& text) { parse_ompl_circle_queries(text, "f"); }},
+    {"ompl_env", [](const std::string& text) { parse_ompl_environment(text, "f", 1); }},
+    {"circles_csv", [](const std::string& text) { parse_circles_csv(text, "f"); }},
+};
+
+Reader chosen_reader() {
+  const char* name = std::getenv("VORONAUT_READER");
+  return kReaders.at(name == nullptr ? "" : name);
+}
+
+}  // namespace
+}  // namespace voronaut
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  static const voronaut::Reader reader = voronaut::chosen_reader();
+  try {
+    reader(std::string(reinterpret_cast<const char*>(data), size));
+  } catch (const voronaut::ConfigError&) {
+  }
+  return 0;
+}
