@@ -8,6 +8,11 @@
 namespace voronaut {
 namespace {
 
+// Bounds of VelocityResponse::error_m that tests/dynamics/velocity_response_test.cpp holds.
+constexpr double kIdealStopError_m = 0.002;
+constexpr double kAgileStopError_m = 0.04;    // pd_rate on the corrected inertia
+constexpr double kSluggishStopError_m = 0.1;  // on the printed one its rotors saturate
+
 template <class... Fs>
 struct Overloaded : Fs... {
   using Fs::operator()...;
@@ -127,6 +132,36 @@ StoppingLaw stopping_law(const RegulatorConfig& config, const VehicleSpec& vehic
                                                   vehicle.limits)};
                  }},
       config);
+}
+
+VelocityResponse velocity_response(const RegulatorConfig& config, const VehicleSpec& vehicle,
+                                   double period_s) {
+  const StoppingLaw law = stopping_law(config, vehicle);
+  VelocityResponse response;
+  response.period_s = period_s;
+  response.k_1_s = law.k_1_s;
+  response.a_max_m_s2 = law.a_m_s2;
+  if (std::holds_alternative<PaperLiteralConfig>(config)) {
+    throw std::invalid_argument("regulator 'paper_literal' is unstable: no stop can be promised");
+  }
+  if (std::holds_alternative<IdealRegulatorConfig>(config)) {
+    response.error_m = kIdealStopError_m;
+    return response;
+  }
+  const QuadrotorConfig& model = quadrotor_for("pd_rate", vehicle);
+  const PdRateGains gains = place_poles(std::get<PdRateConfig>(config), model);
+  const double hover_rad_s = model.hover_rotor_speed_rad_s();
+  const double kappa =
+      2 * model.thrust_factor_N_s2 * model.arm_m * hover_rad_s / model.inertia_kg_m2().x();
+  const double room_rad_s = std::min(model.max_rotor_speed_rad_s - hover_rad_s,
+                                     hover_rad_s - model.min_rotor_speed_rad_s);
+  response.gravity_m_s2 = model.gravity_m_s2;
+  response.gain_1_s2 = model.gravity_m_s2 * kappa * gains.kd;
+  response.damping_1_s = kappa * gains.kq;
+  response.push_max_m_s4 = model.gravity_m_s2 * kappa * 2 * room_rad_s;
+  response.error_m = model.inertia == QuadrotorConfig::InertiaSet::corrected ? kAgileStopError_m
+                                                                             : kSluggishStopError_m;
+  return response;
 }
 
 }  // namespace voronaut

@@ -13,6 +13,7 @@
 #include "voronaut/dynamics/regulators/ideal.h"
 #include "voronaut/dynamics/regulators/paper_literal.h"
 #include "voronaut/dynamics/regulators/pd_rate.h"
+#include "voronaut/dynamics/velocity_response.h"
 
 // Vehicles and regulators by name. Every config in the variants has a visit list:
 // std::visit([&](auto& config) { config.visit(v); }, spec.model).
@@ -62,5 +63,10 @@ struct StoppingLaw {
 
 // Throws like make_regulator. For paper_literal, which does not stop, kp/kd and the tilt limit.
 StoppingLaw stopping_law(const RegulatorConfig& config, const VehicleSpec& vehicle);
+
+// How velocity answers a command under a regulator. Throws like make_regulator, and for
+// paper_literal, whose loop is unstable: no stop can be promised for it.
+VelocityResponse velocity_response(const RegulatorConfig& config, const VehicleSpec& vehicle,
+                                   double period_s = 0.01);
 
 }  // namespace voronaut

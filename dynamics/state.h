@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>
@@ -30,6 +31,9 @@ struct Setpoint {
   bool brake_at_target = false;        // the target is the goal: slow down to rest at it
   Eigen::Vector2d heading_world = Eigen::Vector2d::UnitX();  // look there (unit vector)
   double yaw_rate_rad_s = 0;                                 // feedforward for a turning gaze
+  // Horizontal velocity to hold until the next setpoint, whatever the target: what the safety
+  // governor has proved. Speed limit and braking at the target are its business then.
+  std::optional<Eigen::Vector2d> course_m_s;
 };
 
 // What the regulator asks of the model, held for one vehicle step. The model says what the four

@@ -1,7 +1,8 @@
 #include "voronaut/dynamics/regulators/guidance.h"
 
 #include <algorithm>
-#include <cmath>
+
+#include "voronaut/dynamics/heading.h"
 
 namespace voronaut {
 namespace {
@@ -12,6 +13,7 @@ constexpr double kMaxClimb_m_s = 1;
 
 Eigen::Vector2d desired_velocity(const Setpoint& setpoint, const VehicleState& state,
                                  const SpeedProfile& profile, double max_speed_m_s) {
+  if (setpoint.course_m_s) return *setpoint.course_m_s;
   const Eigen::Vector2d to_target = (setpoint.p_target_world - state.p_world).head<2>();
   const double speed_m_s = std::min(setpoint.speed_limit_m_s, max_speed_m_s);
   if (setpoint.brake_at_target) return profile.velocity_m_s(to_target, speed_m_s);
@@ -23,18 +25,6 @@ Eigen::Vector2d desired_velocity(const Setpoint& setpoint, const VehicleState& s
 double desired_climb_m_s(const Setpoint& setpoint, const VehicleState& state, double gain_1_s) {
   const double error_m = setpoint.p_target_world.z() - state.p_world.z();
   return std::clamp(gain_1_s * error_m, -kMaxClimb_m_s, kMaxClimb_m_s);
-}
-
-double heading_error_rad(const Eigen::Vector2d& from, const Eigen::Vector2d& to) {
-  const double sine = from.x() * to.y() - from.y() * to.x();
-  const double cosine = from.dot(to);
-  double chord = 0;  // 2 sin(e/2), from the form that does not cancel
-  if (cosine > 0) {
-    chord = sine / std::sqrt(0.5 * (1 + cosine));
-  } else {
-    chord = std::copysign(std::sqrt(2 * (1 - cosine)), sine);
-  }
-  return chord * (1 + chord * chord / 24);
 }
 
 double desired_yaw_rate_rad_s(const Setpoint& setpoint, const Eigen::Vector2d& heading_world,
