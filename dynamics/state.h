@@ -33,7 +33,7 @@ struct Setpoint {
   double yaw_rate_rad_s = 0;                                 // feedforward for a turning gaze
   // Horizontal velocity to hold until the next setpoint, whatever the target: what the safety
   // governor has proved. Speed limit and braking at the target are its business then.
-  std::optional<Eigen::Vector2d> course_m_s;
+  std::optional<Eigen::Vector2d> course_m_s = std::nullopt;
 };
 
 // What the regulator asks of the model, held for one vehicle step. The model says what the four

@@ -25,7 +25,7 @@ EpisodeLog fly(Flight& flight) {
         flight.log.mapping.measure([&] { flight.update_map(); });
         flight.log.planning.measure([&] { flight.plan(state, now_s); });
       }
-      setpoint = flight.navigate(state);
+      setpoint = flight.navigate(state, now_s);
       if (scan_is_due) flight.record_scan(setpoint);
       const Command command = flight.regulator->regulate(setpoint, state);
       state = flight.model->step(state, applied, period_s);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 
 #include <ompl/base/Planner.h>
 
@@ -9,10 +10,15 @@
 #include "voronaut/dynamics/model.h"
 #include "voronaut/dynamics/regulator.h"
 #include "voronaut/environments/random.h"
+#include "voronaut/planners/mapping/free_space.h"
+#include "voronaut/planners/mapping/virtual_obstacles.h"
 #include "voronaut/planners/navigation/gaze.h"
+#include "voronaut/planners/navigation/look_around.h"
 #include "voronaut/planners/navigation/path_tracker.h"
 #include "voronaut/planners/navigation/plan_request.h"
+#include "voronaut/planners/navigation/recovery.h"
 #include "voronaut/planners/navigation/replan_policy.h"
+#include "voronaut/planners/navigation/safety_governor.h"
 #include "voronaut/planners/navigation/speed_rule.h"
 
 namespace voronaut {
@@ -26,10 +32,17 @@ struct Flight {
   void sense(const VehicleState& state, double now_s);
   void update_map();
   void plan(const VehicleState& state, double now_s);
-  Setpoint navigate(const VehicleState& state);
+  Setpoint navigate(const VehicleState& state, double now_s);
   void record_scan(const Setpoint& setpoint);
 
   bool scan_is_due(std::size_t tick) const { return tick % ticks_per_scan == 0; }
+
+  // Parts of plan() and navigate().
+  bool depart(const VehicleState& state, double now_s);
+  void recover(const VehicleState& state, double now_s);
+  void adopt(Plan plan, double now_s);
+  void govern(const VehicleState& state, const Vec2& towards, Setpoint& setpoint);
+  bool too_close(const Vec2& p_world) const;
 
   const TrialSpec& spec;
   const bool keep_scans;
@@ -41,6 +54,8 @@ struct Flight {
   Random sensor_noise;
   Scan scan;
   ObstacleBase map;
+  FreeSpace free_space;                // kept up to date for the governor only
+  VirtualObstacles virtual_obstacles;  // what planners see beside the map
   Belief belief;
   PlanningProblem problem;
   PlannerTraits planner_traits;
@@ -48,9 +63,16 @@ struct Flight {
   ReplanPolicy replan_policy;
   PathTracker tracker;
   GazePolicy gaze;
+  LookAround look_around;
+  RecoveryPolicy recovery;
   Braking braking;
+  std::optional<SafetyGovernor> governor;
   Referee referee;
+  ExecutiveState executive = ExecutiveState::rising;
   bool departed = false;
+  double back_off_until_s = 0;
+  std::optional<Vec2> refused_at;  // by the governor, at the latest scan
+  Setpoint held;                   // a governed setpoint lasts until the next scan
   EpisodeLog log;
 };
 

@@ -8,6 +8,7 @@
 #include "voronaut/benchmarks/episode/referee.h"
 #include "voronaut/dynamics/path.h"
 #include "voronaut/dynamics/state.h"
+#include "voronaut/planners/navigation/recovery.h"
 #include "voronaut/planners/navigation/replan_policy.h"
 
 // What happened in an episode, tick by tick: the only source of metrics and traces.
@@ -28,6 +29,9 @@ struct ScanEvent {
   int plan = -1;         // index into EpisodeLog::plans: the one being followed
   ReplanReason replan = ReplanReason::none;
   std::size_t known_points = 0;
+  ExecutiveState executive = ExecutiveState::rising;
+  double governed_share = 1;          // of the speed asked for
+  std::vector<Eigen::Vector2d> tube;  // the governor's proved track, corners; empty: none
   double planning_time_us = 0;
   std::vector<float> range_m;  // empty unless the episode keeps scans
 };

@@ -9,13 +9,27 @@ namespace voronaut {
 
 namespace {
 
-// The papers' vehicle rises before it sets off: it has its height when it is this close and this
-// slow.
-constexpr double kHeightReached_m = 0.05;
-constexpr double kHeightReached_m_s = 0.1;
+// The bounds are no wall: a path along them needs room for the vehicle to be beside it.
+constexpr double kInsideBounds_m = 0.15;
+
+// The bounds within which paths are planned: start and goal lie within in any case.
+Bounds planning_bounds(const Scenario& scenario) {
+  const Bounds& world = scenario.world->bounds();
+  const Vec2 inset(kInsideBounds_m, kInsideBounds_m);
+  const Vec2 low = scenario.start_world.cwiseMin(scenario.goal_world);
+  const Vec2 high = scenario.start_world.cwiseMax(scenario.goal_world);
+  return {(world.min + inset).cwiseMin(low), (world.max - inset).cwiseMax(high)};
+}
+
+// What a body within the bounds may touch.
+Bounds reachable_bounds(const TrialSpec& spec) {
+  const Bounds& world = spec.scenario.world->bounds();
+  const Vec2 rim(spec.vehicle.clearance_min_m, spec.vehicle.clearance_min_m);
+  return {world.min - rim, world.max + rim};
+}
 
 ProblemConfig problem_config(const TrialSpec& spec) {
-  return {spec.scenario.world->bounds(), spec.scenario.goal_world, spec.scenario.goal_tolerance_m,
+  return {planning_bounds(spec.scenario), spec.scenario.goal_world, spec.scenario.goal_tolerance_m,
           spec.vehicle.clearance_min_m};
 }
 
@@ -42,6 +56,14 @@ std::size_t ticks_per_scan_of(const TrialSpec& spec) {
   return static_cast<std::size_t>(std::max(1.0, std::round(ticks)));
 }
 
+std::optional<SafetyGovernor> governor_of(const TrialSpec& spec) {
+  if (!spec.navigation.governor) return std::nullopt;
+  const double period_s = spec.loop.vehicle_period_s;
+  return SafetyGovernor(velocity_response(spec.regulator, spec.vehicle, period_s),
+                        spec.vehicle.body_radius_m, spec.vehicle.clearance_min_m,
+                        static_cast<double>(ticks_per_scan_of(spec)) * period_s);
+}
+
 int index_of(std::vector<std::string>& names, const std::string& name) {
   if (name.empty()) return -1;
   for (std::size_t i = 0; i < names.size(); ++i) {
@@ -62,14 +84,20 @@ Flight::Flight(const TrialSpec& trial, const PlannerCatalog& planners, bool keep
       range_finder(trial.range_finder),
       sensor_noise(derive_seed(trial.planner_seed, {"range finder"}, 0)),
       map(trial.mapping),
+      free_space(reachable_bounds(trial)),
       problem(problem_config(trial)),
       planner_traits(planner_entry(trial, planners).traits),
       planner(make_planner(trial, planner_entry(trial, planners), problem)),
       replan_policy(trial.navigation, planner_traits),
       tracker(trial.navigation, SpeedProfile{}, trial.vehicle.limits.max_speed_m_s),
       gaze(trial.navigation.gaze, trial.scenario.start_heading),
+      look_around(trial.range_finder.field_of_view_rad),
+      recovery(trial.navigation.stall_timeout_s),
       braking(braking_of(trial)),
-      referee(trial.scenario, trial.vehicle.body_radius_m, trial.shortest_length_m, trial.loop) {}
+      governor(governor_of(trial)),
+      referee(trial.scenario, trial.vehicle.body_radius_m, trial.shortest_length_m, trial.loop) {
+  if (governor) free_space.mark_disc(trial.scenario.start_world, trial.vehicle.body_radius_m);
+}
 
 void Flight::sense(const VehicleState& state, double now_s) {
   const Pose2 pose{state.p_world.head<2>(), state.heading_world()};
@@ -79,18 +107,14 @@ void Flight::sense(const VehicleState& state, double now_s) {
 
 void Flight::update_map() {
   map.update(scan);
-  belief = {map.snapshot(), &scan, map.scan_clusters(), scan.sensor_world};
+  if (governor) free_space.update(scan);
+  belief = {virtual_obstacles.over(map.snapshot()), &scan, map.scan_clusters(), scan.sensor_world};
 }
 
 void Flight::plan(const VehicleState& state, double now_s) {
-  if (!departed) {
-    const double error_m = state.p_world.z() - spec.scenario.cruise_height_m;
-    departed =
-        std::abs(error_m) < kHeightReached_m && std::abs(state.v_world.z()) < kHeightReached_m_s;
-    if (!departed) return;
-    log.departure_s = now_s;
-  }
+  if (!departed && !depart(state, now_s)) return;
   const Vec2& p = belief.pose_world.p_world;
+  if (spec.navigation.recovery) recover(state, now_s);
   problem.update(belief, p);
   tracker.advance(p);
   ScanEvent& event = log.scans.back();
@@ -101,11 +125,15 @@ void Flight::plan(const VehicleState& state, double now_s) {
   ++log.replans;
   if (!problem.budget_stop().empty()) ++log.budget_stops;
   event.mode = index_of(log.modes, plan.mode);
-  if (plan.status == PlanStatus::infeasible || plan.status == PlanStatus::refused) {
-    referee.accept_infeasible(now_s, plan.status == PlanStatus::infeasible
-                                         ? "the planner proved that no path exists"
-                                         : "the planner refused the problem");
-  }
+  adopt(std::move(plan), now_s);
+}
+
+void Flight::adopt(Plan plan, double now_s) {
+  const bool proof_holds = virtual_obstacles.empty();
+  if (plan.status == PlanStatus::infeasible && proof_holds)
+    referee.accept_infeasible(now_s, "the planner proved that no path exists");
+  if (plan.status == PlanStatus::refused && proof_holds)
+    referee.accept_infeasible(now_s, "the planner refused the problem");
   if (plan.path.empty()) {
     tracker.drop();
     return;
@@ -117,28 +145,10 @@ void Flight::plan(const VehicleState& state, double now_s) {
   tracker.follow(std::move(plan.path), plan.status == PlanStatus::to_goal);
 }
 
-Setpoint Flight::navigate(const VehicleState& state) {
-  const Vec2 p = state.p_world.head<2>();
-  Setpoint setpoint;
-  setpoint.p_target_world = Vec3(p.x(), p.y(), spec.scenario.cruise_height_m);
-  setpoint.heading_world = gaze.heading(tracker, p);
-  if (!tracker.has_path()) return setpoint;
-
-  tracker.advance(p);
-  const double speed_m_s = state.v_world.head<2>().norm();
-  const Aim aim = tracker.aim(p, speed_m_s, belief.obstacles, spec.vehicle.clearance_min_m);
-  setpoint.p_target_world.head<2>() = aim.p_target_world;
-  setpoint.brake_at_target = aim.at_goal;
-  const Vec2 way = aim.p_target_world - p;
-  const Vec2 towards = way.norm() > 0 ? Vec2(way.normalized()) : setpoint.heading_world;
-  setpoint.speed_limit_m_s = speed_limit_m_s(spec.navigation.speed_rule, belief, towards, braking,
-                                             spec.navigation.reaction_time_s, aim.speed_limit_m_s);
-  return setpoint;
-}
-
 void Flight::record_scan(const Setpoint& setpoint) {
   ScanEvent& event = log.scans.back();
   event.setpoint = setpoint;
+  event.executive = executive;
   if (event.mode < 0 && log.scans.size() > 1 && event.replan == ReplanReason::none) {
     event.mode = log.scans[log.scans.size() - 2].mode;
   }

@@ -90,11 +90,11 @@ TrialResult run_trial(const TrialSpec& spec, const PlannerCatalog& planners, boo
   result.record.modes = join(log.modes);
   result.record.state_checks = static_cast<std::int64_t>(flight.problem.state_checks());
   result.record.budget_stops = log.budget_stops;
-  result.record.map_points = static_cast<std::int64_t>(flight.belief.obstacles.points().size());
-  result.record.map_obstacles = static_cast<std::int64_t>(flight.belief.obstacles.cluster_count());
+  result.record.map_points = static_cast<std::int64_t>(flight.map.snapshot().points().size());
+  result.record.map_obstacles = static_cast<std::int64_t>(flight.map.snapshot().cluster_count());
   add_metrics(result.record, log, spec.scenario.goal_world);
   add_times(result.record, log);
-  if (keep_trace) result.trace = trace_of(spec, log, flight.belief.obstacles);
+  if (keep_trace) result.trace = trace_of(spec, log, flight.map.snapshot());
   return result;
 }
 

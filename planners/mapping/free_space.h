@@ -1,6 +1,8 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
+#include <span>
 #include <vector>
 
 #include "voronaut/environments/sensing/scan.h"
@@ -39,6 +41,9 @@ class FreeSpace {
   // True if every cell that the disc of radius_m, swept from a to b, touches is known free.
   // O(rows it touches).
   bool swept_disc_is_free(const Vec2& a, const Vec2& b, double radius_m) const;
+  // The middle of the first cell, along a chain of straight pieces, that the disc swept along it
+  // touches and that is not known free; empty if there is none. Looks at places a cell apart.
+  std::optional<Vec2> first_unknown_in_tube(std::span<const Vec2> corners, double radius_m) const;
 
   double cell_m() const { return cell_m_; }
   std::size_t free_cells() const;
@@ -60,6 +65,7 @@ class FreeSpace {
   bool open_window();
   void draw_edge(Vec2 a, Vec2 b);
   void commit_window();
+  std::optional<Vec2> unknown_in_disc(const Vec2& p_world, double radius_m) const;
   bool row_is_free(int row, double column_from, double column_to) const;
 
   double cell_m_;

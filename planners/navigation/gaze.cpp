@@ -1,11 +1,15 @@
 #include "voronaut/planners/navigation/gaze.h"
 
+#include "voronaut/dynamics/heading.h"
+
 namespace voronaut {
 
 namespace {
 
 constexpr double kLookAhead_m = 1.0;
 constexpr double kRest_m = 0.3;
+// Added to the yaw loops of the regulators (0.8 and 2 per second); the quadrotor's stays damped.
+constexpr double kTurn_1_s = 1.2;
 
 }  // namespace
 
@@ -16,6 +20,12 @@ Eigen::Vector2d GazePolicy::heading(const PathTracker& tracker, const Eigen::Vec
     if (ahead.norm() > kRest_m) heading_ = ahead.normalized();
   }
   return heading_;
+}
+
+double GazePolicy::yaw_rate_rad_s(const Eigen::Vector2d& wanted_heading,
+                                  const Eigen::Vector2d& heading_now) const {
+  if (gaze_ == Gaze::fixed) return 0;
+  return kTurn_1_s * heading_error_rad(heading_now, wanted_heading);
 }
 
 }  // namespace voronaut

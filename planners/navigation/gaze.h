@@ -17,6 +17,11 @@ class GazePolicy {
   // gaze rests.
   Eigen::Vector2d heading(const PathTracker& tracker, const Eigen::Vector2d& p_world);
 
+  // Turning rate that brings the gaze there sooner than the regulator's own yaw loop would
+  // (feedforward), given where the vehicle looks now. 0 for a fixed gaze.
+  double yaw_rate_rad_s(const Eigen::Vector2d& wanted_heading,
+                        const Eigen::Vector2d& heading_now) const;
+
  private:
   Gaze gaze_;
   Eigen::Vector2d heading_;

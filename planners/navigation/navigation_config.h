@@ -18,6 +18,10 @@ enum class SpeedRule {
 struct NavigationConfig {
   Gaze gaze = Gaze::fixed;
   SpeedRule speed_rule = SpeedRule::unlimited;
+  bool governor = false;           // let only such courses pass from which a stop is safe
+  bool look_around = false;        // turn once around before setting off
+  bool recovery = false;           // do something about it when the vehicle stands still
+  double stall_timeout_s = 1.5;    // recovery: standing still for so long is a stall
   bool shortcut = true;            // drop the corners that a planner's path does not need
   double reaction_time_s = 0.06;   // sensing period plus command delay
   double lookahead_base_m = 0.25;  // tracker: how far ahead of the projection it aims at rest
@@ -31,6 +35,10 @@ struct NavigationConfig {
     v.choice(
         "speed_rule", speed_rule,
         {{"unlimited", SpeedRule::unlimited}, {"stopping_distance", SpeedRule::stopping_distance}});
+    v.flag("governor", governor);
+    v.flag("look_around", look_around);
+    v.flag("recovery", recovery);
+    v.number("stall_timeout_s", stall_timeout_s, 0.1, 60);
     v.flag("shortcut", shortcut);
     v.number("reaction_time_s", reaction_time_s, 0, 5);
     v.number("lookahead_base_m", lookahead_base_m, 0.01, 10);

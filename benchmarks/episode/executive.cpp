@@ -1,0 +1,121 @@
+#include <cmath>
+
+#include "voronaut/benchmarks/episode/episode.h"
+
+// The executive's half of a flight: when to set off, what to do when it does not go on, and which
+// setpoint comes out. Every decision is a policy's of planners/navigation.
+namespace voronaut {
+
+namespace {
+
+// The papers' vehicle rises before it sets off: it has its height when it is this close and this
+// slow.
+constexpr double kHeightReached_m = 0.05;
+constexpr double kHeightReached_m_s = 0.1;
+constexpr double kBackOff_s = 2;
+constexpr double kBackOff_m_s = 0.3;
+
+}  // namespace
+
+bool Flight::depart(const VehicleState& state, double now_s) {
+  if (executive == ExecutiveState::rising) {
+    const double error_m = state.p_world.z() - spec.scenario.cruise_height_m;
+    const bool risen =
+        std::abs(error_m) < kHeightReached_m && std::abs(state.v_world.z()) < kHeightReached_m_s;
+    if (!risen) return false;
+    if (spec.navigation.look_around) look_around.begin(state.heading_world());
+  }
+  look_around.advance(state.heading_world());
+  if (look_around.active()) {
+    executive = ExecutiveState::looking_around;
+    return false;
+  }
+  departed = true;
+  log.departure_s = now_s;
+  return true;
+}
+
+bool Flight::too_close(const Vec2& p_world) const {
+  const double limit_m = spec.vehicle.clearance_min_m - SafetyGovernor::kKnownMargin_m;
+  return map.snapshot().nearest(p_world, limit_m).has_value();
+}
+
+void Flight::recover(const VehicleState& state, double now_s) {
+  const bool was_looking = look_around.active();
+  look_around.advance(state.heading_world());
+  if (was_looking && !look_around.active()) tracker.drop();  // plan anew with what was seen
+  if (look_around.active() || now_s < back_off_until_s || referee.arrived_s()) return;
+
+  const Vec2 p = state.p_world.head<2>();
+  switch (recovery.advise({now_s, p, state.v_world.head<2>().norm(), tracker.has_path(),
+                           too_close(p), !virtual_obstacles.empty()})) {
+    case RecoveryAction::none:
+      return;
+    case RecoveryAction::back_off:
+      back_off_until_s = now_s + kBackOff_s;
+      return;
+    case RecoveryAction::drop_virtual_obstacles:
+      virtual_obstacles.clear();
+      break;
+    case RecoveryAction::add_virtual_obstacle:
+      if (refused_at) virtual_obstacles.add(*refused_at);
+      tracker.drop();
+      belief.obstacles = virtual_obstacles.over(map.snapshot());
+      return;
+    case RecoveryAction::look_around:
+      break;
+  }
+  belief.obstacles = virtual_obstacles.over(map.snapshot());
+  look_around.begin(state.heading_world());
+}
+
+Setpoint Flight::navigate(const VehicleState& state, double now_s) {
+  const bool scanned_now = log.scans.back().tick + 1 == log.ticks.size();
+  if (governor && !scanned_now) return held;
+  const Vec2 p = state.p_world.head<2>();
+  Setpoint setpoint;
+  setpoint.p_target_world = Vec3(p.x(), p.y(), spec.scenario.cruise_height_m);
+  setpoint.heading_world = gaze.heading(tracker, p);
+
+  Aim aim{p, 0, false};
+  if (look_around.active()) {
+    executive = ExecutiveState::looking_around;
+    setpoint.heading_world = state.heading_world();
+    setpoint.yaw_rate_rad_s = spec.vehicle.limits.max_yaw_rate_rad_s;
+  } else if (departed && now_s < back_off_until_s) {
+    executive = ExecutiveState::backing_off;
+    if (const auto nearest = map.snapshot().nearest(p, spec.vehicle.clearance_min_m)) {
+      const Vec2 away = (p - map.snapshot().points()[*nearest]).normalized();
+      aim = {p + away, kBackOff_m_s, false};
+    }
+  } else if (tracker.has_path()) {
+    executive = ExecutiveState::under_way;
+    setpoint.yaw_rate_rad_s = gaze.yaw_rate_rad_s(setpoint.heading_world, state.heading_world());
+    tracker.advance(p);
+    aim = tracker.aim(p, state.v_world.head<2>().norm(), belief.obstacles,
+                      spec.vehicle.clearance_min_m);
+  } else if (departed) {
+    executive = ExecutiveState::without_path;
+  }
+
+  setpoint.p_target_world.head<2>() = aim.p_target_world;
+  setpoint.brake_at_target = aim.at_goal;
+  const Vec2 way = aim.p_target_world - p;
+  const Vec2 towards = way.norm() > 0 ? Vec2(way.normalized()) : setpoint.heading_world;
+  setpoint.speed_limit_m_s = speed_limit_m_s(spec.navigation.speed_rule, belief, towards, braking,
+                                             spec.navigation.reaction_time_s, aim.speed_limit_m_s);
+  if (governor) govern(state, towards, setpoint);
+  return setpoint;
+}
+
+void Flight::govern(const VehicleState& state, const Vec2& towards, Setpoint& setpoint) {
+  const Vec2 v_wanted = setpoint.speed_limit_m_s * towards;
+  const GovernedCourse& course = governor->allow(v_wanted, state, free_space, map.snapshot());
+  setpoint.course_m_s = course.v_world;
+  refused_at = course.refused_at;
+  log.scans.back().governed_share = course.share;
+  if (keep_scans) log.scans.back().tube = course.tube_world;
+  held = setpoint;
+}
+
+}  // namespace voronaut

@@ -1,0 +1,58 @@
+#include "voronaut/planners/navigation/recovery.h"
+
+namespace voronaut {
+
+namespace {
+
+constexpr double kStanding_m_s = 0.05;
+// Farther than this from the place of the last stall, the vehicle has got away from it.
+constexpr double kAway_m = 0.5;
+// Virtual obstacles are dropped this often; then a stall is final, and the referee's to judge.
+constexpr int kDropsMax = 3;
+
+}  // namespace
+
+std::string_view to_string(ExecutiveState state) {
+  switch (state) {
+    case ExecutiveState::rising:
+      return "rising";
+    case ExecutiveState::looking_around:
+      return "looking_around";
+    case ExecutiveState::under_way:
+      return "under_way";
+    case ExecutiveState::backing_off:
+      return "backing_off";
+    case ExecutiveState::without_path:
+      return "without_path";
+  }
+  return "under_way";
+}
+
+RecoveryAction RecoveryPolicy::advise(const Progress& progress) {
+  if (steps_taken_ > 0 && (progress.p_world - place_).norm() > kAway_m) steps_taken_ = 0;
+  if (progress.wants_to_move && progress.speed_m_s > kStanding_m_s) {
+    standing_since_s_.reset();
+    return RecoveryAction::none;
+  }
+  if (!standing_since_s_) standing_since_s_ = progress.now_s;
+  if (progress.now_s - *standing_since_s_ < stall_timeout_s_) return RecoveryAction::none;
+  standing_since_s_ = progress.now_s;
+  if (steps_taken_ == 0) place_ = progress.p_world;
+  ++steps_taken_;
+  return next_step(progress);
+}
+
+RecoveryAction RecoveryPolicy::next_step(const Progress& progress) {
+  if (!progress.wants_to_move) {
+    if (!progress.virtual_in_force) {
+      return progress.too_close && steps_taken_ % 2 == 1 ? RecoveryAction::back_off
+                                                         : RecoveryAction::look_around;
+    }
+    return drops_++ < kDropsMax ? RecoveryAction::drop_virtual_obstacles : RecoveryAction::none;
+  }
+  if (progress.too_close && steps_taken_ == 1) return RecoveryAction::back_off;
+  if (steps_taken_ <= 2) return RecoveryAction::look_around;
+  return RecoveryAction::add_virtual_obstacle;
+}
+
+}  // namespace voronaut

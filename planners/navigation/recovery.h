@@ -1,0 +1,58 @@
+#pragma once
+
+#include <optional>
+#include <string_view>
+
+#include "voronaut/environments/shapes/geometry.h"
+
+namespace voronaut {
+
+// What a vehicle is about; logged at every scan.
+enum class ExecutiveState {
+  rising,          // to its cruise height, before it sets off
+  looking_around,  // turning on the spot to see all around
+  under_way,       // following its path
+  backing_off,     // away from what it is too close to
+  without_path,    // the planner has none
+};
+
+std::string_view to_string(ExecutiveState state);
+
+// What recovery sees of the executive, once per scan.
+struct Progress {
+  double now_s = 0;
+  Vec2 p_world = Vec2::Zero();
+  double speed_m_s = 0;
+  bool wants_to_move = false;     // there is a path and it is not yet flown
+  bool too_close = false;         // nearer to a known point than planners plan
+  bool virtual_in_force = false;  // planners see virtual obstacles
+};
+
+enum class RecoveryAction {
+  none,
+  back_off,                // away from the nearest known point for a while
+  look_around,             // then plan anew
+  add_virtual_obstacle,    // where the governor refused, then plan anew
+  drop_virtual_obstacles,  // planning failed with them: look around, plan anew
+};
+
+// What to do when the vehicle stands although it should move, or has no path: one step after
+// another, from the mildest on, until it has got away from the place. Asks only what navigation
+// knows; the same for every planner.
+class RecoveryPolicy {
+ public:
+  explicit RecoveryPolicy(double stall_timeout_s) : stall_timeout_s_(stall_timeout_s) {}
+
+  RecoveryAction advise(const Progress& progress);
+
+ private:
+  RecoveryAction next_step(const Progress& progress);
+
+  double stall_timeout_s_;
+  std::optional<double> standing_since_s_;
+  Vec2 place_ = Vec2::Zero();  // where it stalled last
+  int steps_taken_ = 0;        // at this place
+  int drops_ = 0;
+};
+
+}  // namespace voronaut

@@ -1,0 +1,88 @@
+#include "voronaut/planners/navigation/safety_governor.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace voronaut {
+
+namespace {
+
+constexpr std::array kShares = {0.05, 0.12, 0.25, 0.4, 0.6, 0.8};
+constexpr double kSample_s = 0.05;
+// Samples of the track may lie this far beside its straight pieces; the tube is wider by it.
+constexpr double kStraight_m = 0.005;
+// What is too close already may stay as close as it is, up to rounding.
+constexpr double kRounding_m = 1e-6;
+
+double distance_from_line(const Vec2& p, const Vec2& a, const Vec2& b) {
+  return distance(p, Segment{a, b});
+}
+
+}  // namespace
+
+SafetyGovernor::SafetyGovernor(const VelocityResponse& response, double body_radius_m,
+                               double clearance_min_m, double hold_s)
+    : response_(response),
+      tube_radius_m_(body_radius_m + response.error_m + kStraight_m),
+      keep_from_known_m_(clearance_min_m - kKnownMargin_m),
+      hold_s_(hold_s) {}
+
+const GovernedCourse& SafetyGovernor::allow(const Vec2& v_wanted_world, const VehicleState& state,
+                                            const FreeSpace& free, const ObstacleSnapshot& known) {
+  const PlanarMotion now = response_.motion_of(state);
+  double keep_m = keep_from_known_m_;
+  if (const auto closest = known.nearest(now.p_m, keep_m)) {
+    keep_m = std::max(0.0, (known.points()[*closest] - now.p_m).norm() - kRounding_m);
+  }
+  course_.refused_at.reset();
+  course_.share = 1;
+  if (v_wanted_world.squaredNorm() > 0 && !is_safe(v_wanted_world, now, free, known, keep_m)) {
+    course_.refused_at = free.first_unknown_in_tube(pieces_, tube_radius_m_);
+    // The largest share that is safe, by bisection: a slower course sweeps less.
+    std::size_t safe = 0, unsafe = kShares.size() + 1;  // share number; 0 is braking
+    while (unsafe - safe > 1) {
+      const std::size_t middle = (safe + unsafe) / 2;
+      const Vec2 v_world = kShares[middle - 1] * v_wanted_world;
+      (is_safe(v_world, now, free, known, keep_m) ? safe : unsafe) = middle;
+    }
+    course_.share = safe == 0 ? 0 : kShares[safe - 1];
+    if (safe > 0) is_safe(course_.share * v_wanted_world, now, free, known, keep_m);
+  }
+  course_.v_world = course_.share * v_wanted_world;
+  if (course_.share == 0) {
+    pieces_.clear();
+  }
+  course_.tube_world = pieces_;
+  v_before_ = course_.v_world;
+  return course_;
+}
+
+bool SafetyGovernor::is_safe(const Vec2& v_world, const PlanarMotion& now, const FreeSpace& free,
+                             const ObstacleSnapshot& known, double keep_m) {
+  response_.predict_stop(now, v_before_, v_world, hold_s_, kSample_s, track_);
+  straighten_track();
+  for (std::size_t i = 0; i + 1 < pieces_.size(); ++i) {
+    if (!known.swept_disc_is_clear(pieces_[i], pieces_[i + 1], keep_m)) return false;
+  }
+  for (std::size_t i = 0; i + 1 < pieces_.size(); ++i) {
+    if (!free.swept_disc_is_free(pieces_[i], pieces_[i + 1], tube_radius_m_)) return false;
+  }
+  return true;
+}
+
+void SafetyGovernor::straighten_track() {
+  pieces_.assign(1, track_.front());
+  std::size_t from = 0;
+  for (std::size_t to = 2; to < track_.size(); ++to) {
+    for (std::size_t i = from + 1; i < to; ++i) {
+      if (distance_from_line(track_[i], track_[from], track_[to]) <= kStraight_m) continue;
+      from = to - 1;
+      pieces_.push_back(track_[from]);
+      break;
+    }
+  }
+  pieces_.push_back(track_.back());
+}
+
+}  // namespace voronaut

@@ -1,0 +1,72 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "voronaut/dynamics/velocity_response.h"
+#include "voronaut/environments/shapes/geometry.h"
+#include "voronaut/planners/mapping/free_space.h"
+#include "voronaut/planners/mapping/obstacle_snapshot.h"
+
+namespace voronaut {
+
+// What the governor allows until the next scan.
+struct GovernedCourse {
+  Vec2 v_world = Vec2::Zero();  // to be held [m/s]
+  double share = 1;             // of the speed asked for; 0: brake
+  // Where the body would go: hold the course, then brake to rest. Corners of a chain of straight
+  // pieces, valid until the next call; empty when braking without a track that was proved.
+  std::vector<Vec2> tube_world;
+  // A place that the tube asked for would have touched and nobody knows to be free.
+  std::optional<Vec2> refused_at;
+};
+
+// Lets no planner crash. A course is allowed for one period only if the disc that the body sweeps
+// while it holds the course and then brakes to rest lies in space that beams have proved free (and
+// away from known points as far as below); else less speed in the same direction, else braking.
+//
+// Invariant: at every call the track of braking from the present state lies in known-free space. It
+// holds at rest in free space, and each course allowed or braked keeps it, for then the rest of a
+// track proved before is flown. So the vehicle never touches anything, if
+//  - the world stands still,
+//  - pose and ranges are exact (an error belongs into the body's radius),
+//  - the vehicle brakes as `response` says, within its error_m, and holds each course for hold_s,
+//  - it starts at rest in free space,
+//  - nothing is thinner than the beams' spacing at the range where they pass it, and what stands
+//    there crosses the range finder's plane: tilting does not turn that plane (a levelled sensor).
+// tests/planners/navigation/safety_governor_test.cpp breaks each of these and shows the contact.
+//
+// Besides, a track keeps min(clearance_min_m - kKnownMargin_m, the clearance there is now) from
+// known points: closer than that planner and governor would wait for each other.
+//
+// The idea that a plan may lead through the unknown as long as a stop within the known remains:
+// Tordesillas et al., FASTER, arXiv:2001.04420.
+class SafetyGovernor {
+ public:
+  static constexpr double kKnownMargin_m = 0.03;
+
+  SafetyGovernor(const VelocityResponse& response, double body_radius_m, double clearance_min_m,
+                 double hold_s);
+
+  // The fastest of a few shares of v_wanted_world [m/s] that is safe from `state` on. Zero is
+  // braking, which is always allowed. O(time to rest), a few thousand instructions for a course
+  // that is safe as it is, four times that for one that is not.
+  const GovernedCourse& allow(const Vec2& v_wanted_world, const VehicleState& state,
+                              const FreeSpace& free, const ObstacleSnapshot& known);
+
+ private:
+  bool is_safe(const Vec2& v_world, const PlanarMotion& now, const FreeSpace& free,
+               const ObstacleSnapshot& known, double keep_m);
+  void straighten_track();
+
+  VelocityResponse response_;
+  double tube_radius_m_;
+  double keep_from_known_m_;
+  double hold_s_;
+  Vec2 v_before_ = Vec2::Zero();
+  GovernedCourse course_;
+  std::vector<Vec2> track_;   // as predicted
+  std::vector<Vec2> pieces_;  // its corners
+};
+
+}  // namespace voronaut
