@@ -9,9 +9,10 @@ namespace voronaut {
 namespace {
 
 // Bounds of VelocityResponse::error_m that tests/dynamics/velocity_response_test.cpp holds.
-constexpr double kIdealStopError_m = 0.002;
-constexpr double kAgileStopError_m = 0.04;    // pd_rate on the corrected inertia
-constexpr double kSluggishStopError_m = 0.1;  // on the printed one its rotors saturate
+constexpr double kStopErrorAtRest_m = 0.006;
+constexpr double kIdealStopError_s = 0.001;
+constexpr double kAgileStopError_s = 0.016;    // pd_rate on the corrected inertia
+constexpr double kSluggishStopError_s = 0.06;  // on the printed one its rotors saturate
 
 template <class... Fs>
 struct Overloaded : Fs... {
@@ -144,8 +145,9 @@ VelocityResponse velocity_response(const RegulatorConfig& config, const VehicleS
   if (std::holds_alternative<PaperLiteralConfig>(config)) {
     throw std::invalid_argument("regulator 'paper_literal' is unstable: no stop can be promised");
   }
+  response.error_at_rest_m = kStopErrorAtRest_m;
   if (std::holds_alternative<IdealRegulatorConfig>(config)) {
-    response.error_m = kIdealStopError_m;
+    response.error_per_speed_s = kIdealStopError_s;
     return response;
   }
   const QuadrotorConfig& model = quadrotor_for("pd_rate", vehicle);
@@ -159,8 +161,9 @@ VelocityResponse velocity_response(const RegulatorConfig& config, const VehicleS
   response.gain_1_s2 = model.gravity_m_s2 * kappa * gains.kd;
   response.damping_1_s = kappa * gains.kq;
   response.push_max_m_s4 = model.gravity_m_s2 * kappa * 2 * room_rad_s;
-  response.error_m = model.inertia == QuadrotorConfig::InertiaSet::corrected ? kAgileStopError_m
-                                                                             : kSluggishStopError_m;
+  response.error_per_speed_s = model.inertia == QuadrotorConfig::InertiaSet::corrected
+                                   ? kAgileStopError_s
+                                   : kSluggishStopError_s;
   return response;
 }
 

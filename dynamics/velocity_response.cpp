@@ -12,6 +12,7 @@ using Eigen::Vector2d;
 // Slow enough for what is left of the way to be v / k.
 constexpr double kRest_m_s = 0.05;
 constexpr double kRest_m_s2 = 0.1;
+constexpr double kRest_m_s3 = 0.5;
 constexpr double kHorizon_s = 4;
 constexpr double kMinCosTilt = 0.25;
 
@@ -53,6 +54,11 @@ void advance(const VelocityResponse& r, PlanarMotion& m, const Vector2d& push) {
 
 }  // namespace
 
+double VelocityResponse::error_m(const PlanarMotion& now, const Vector2d& v_commanded) const {
+  const double speed_m_s = std::max(now.v_m_s.norm(), v_commanded.norm());
+  return error_at_rest_m + error_per_speed_s * (speed_m_s + now.a_m_s2.norm() / k_1_s);
+}
+
 PlanarMotion VelocityResponse::motion_of(const VehicleState& state) const {
   PlanarMotion m;
   m.p_m = state.p_world.head<2>();
@@ -82,7 +88,8 @@ void VelocityResponse::predict_stop(const PlanarMotion& now, const Vector2d& v_b
   for (; step < steps_max; ++step) {
     const bool braking = step >= hold_steps;
     if (braking && m.v_m_s.squaredNorm() < kRest_m_s * kRest_m_s &&
-        m.a_m_s2.squaredNorm() < kRest_m_s2 * kRest_m_s2)
+        m.a_m_s2.squaredNorm() < kRest_m_s2 * kRest_m_s2 &&
+        m.j_m_s3.squaredNorm() < kRest_m_s3 * kRest_m_s3)
       break;
     const Vector2d next = asked_for(*this, m, braking ? Vector2d(0, 0) : v_commanded);
     advance(*this, m, pending);

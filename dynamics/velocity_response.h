@@ -33,9 +33,14 @@ struct VelocityResponse {
   double damping_1_s = 0;
   double push_max_m_s4 = 0;
   double gravity_m_s2 = 9.81;
-  // Largest distance of a predicted stop from the real one at any moment, held against rollouts of
-  // model and regulator.
-  double error_m = 0;
+  // How far a flown stop may stray from the track predicted for it, held against rollouts of model
+  // and regulator: at rest and level, and more with what is under way, see error_m().
+  double error_at_rest_m = 0;
+  double error_per_speed_s = 0;
+
+  // Grows with the larger of the speeds now and commanded, and with what acceleration adds to it
+  // within 1/k.
+  double error_m(const PlanarMotion& now, const Eigen::Vector2d& v_commanded) const;
 
   PlanarMotion motion_of(const VehicleState& state) const;
 

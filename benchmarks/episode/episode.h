@@ -43,6 +43,7 @@ struct Flight {
   void adopt(Plan plan, double now_s);
   void govern(const VehicleState& state, const Vec2& towards, Setpoint& setpoint);
   bool too_close(const Vec2& p_world) const;
+  Vec2 leaning_away(const Vec2& towards, const Vec2& p_world) const;
 
   const TrialSpec& spec;
   const bool keep_scans;

@@ -44,7 +44,10 @@ void Flight::recover(const VehicleState& state, double now_s) {
   const bool was_looking = look_around.active();
   look_around.advance(state.heading_world());
   if (was_looking && !look_around.active()) tracker.drop();  // plan anew with what was seen
-  if (look_around.active() || now_s < back_off_until_s || referee.arrived_s()) return;
+  if (was_looking || now_s < back_off_until_s || referee.arrived_s()) {
+    recovery.resume();
+    return;
+  }
 
   const Vec2 p = state.p_world.head<2>();
   switch (recovery.advise({now_s, p, state.v_world.head<2>().norm(), tracker.has_path(),
@@ -58,15 +61,30 @@ void Flight::recover(const VehicleState& state, double now_s) {
       virtual_obstacles.clear();
       break;
     case RecoveryAction::add_virtual_obstacle:
-      if (refused_at) virtual_obstacles.add(*refused_at);
-      tracker.drop();
+      if (!refused_at) break;
+      virtual_obstacles.add(*refused_at);
       belief.obstacles = virtual_obstacles.over(map.snapshot());
+      tracker.drop();
       return;
     case RecoveryAction::look_around:
       break;
   }
   belief.obstacles = virtual_obstacles.over(map.snapshot());
   look_around.begin(state.heading_world());
+}
+
+// Closer to a known point than planners plan, a course also leads away from it.
+Vec2 Flight::leaning_away(const Vec2& towards, const Vec2& p_world) const {
+  const ObstacleSnapshot known = map.snapshot();
+  const auto nearest = known.nearest(p_world, spec.vehicle.clearance_min_m);
+  if (!governor || !nearest) return towards;
+  const Vec2 from_nearest = p_world - known.points()[*nearest];
+  const double distance_m = from_nearest.norm();
+  if (distance_m == 0) return towards;
+  const double lean =
+      std::min(2.0, (spec.vehicle.clearance_min_m - distance_m) / SafetyGovernor::kKnownMargin_m);
+  const Vec2 blended = towards + (lean / distance_m) * from_nearest;
+  return blended.norm() > 0.1 ? Vec2(blended.normalized()) : Vec2(from_nearest / distance_m);
 }
 
 Setpoint Flight::navigate(const VehicleState& state, double now_s) {
@@ -101,7 +119,7 @@ Setpoint Flight::navigate(const VehicleState& state, double now_s) {
   setpoint.p_target_world.head<2>() = aim.p_target_world;
   setpoint.brake_at_target = aim.at_goal;
   const Vec2 way = aim.p_target_world - p;
-  const Vec2 towards = way.norm() > 0 ? Vec2(way.normalized()) : setpoint.heading_world;
+  const Vec2 towards = way.norm() > 0 ? leaning_away(way.normalized(), p) : setpoint.heading_world;
   setpoint.speed_limit_m_s = speed_limit_m_s(spec.navigation.speed_rule, belief, towards, braking,
                                              spec.navigation.reaction_time_s, aim.speed_limit_m_s);
   if (governor) govern(state, towards, setpoint);

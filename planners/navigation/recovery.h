@@ -45,6 +45,9 @@ class RecoveryPolicy {
 
   RecoveryAction advise(const Progress& progress);
 
+  // A manoeuvre is over: what stood still for its sake was no stall.
+  void resume() { standing_since_s_.reset(); }
+
  private:
   RecoveryAction next_step(const Progress& progress);
 

@@ -24,7 +24,7 @@ double distance_from_line(const Vec2& p, const Vec2& a, const Vec2& b) {
 SafetyGovernor::SafetyGovernor(const VelocityResponse& response, double body_radius_m,
                                double clearance_min_m, double hold_s)
     : response_(response),
-      tube_radius_m_(body_radius_m + response.error_m + kStraight_m),
+      body_radius_m_(body_radius_m),
       keep_from_known_m_(clearance_min_m - kKnownMargin_m),
       hold_s_(hold_s) {}
 
@@ -37,36 +37,50 @@ const GovernedCourse& SafetyGovernor::allow(const Vec2& v_wanted_world, const Ve
   }
   course_.refused_at.reset();
   course_.share = 1;
-  if (v_wanted_world.squaredNorm() > 0 && !is_safe(v_wanted_world, now, free, known, keep_m)) {
-    course_.refused_at = free.first_unknown_in_tube(pieces_, tube_radius_m_);
+  if (v_wanted_world.squaredNorm() == 0) {
+    course_.share = 0;
+  } else if (!is_safe(1, v_wanted_world, now, free, known, keep_m)) {
+    course_.refused_at = free.first_unknown_in_tube(pieces_, tube_radius_m(1, v_wanted_world, now));
     // The largest share that is safe, by bisection: a slower course sweeps less.
     std::size_t safe = 0, unsafe = kShares.size() + 1;  // share number; 0 is braking
     while (unsafe - safe > 1) {
       const std::size_t middle = (safe + unsafe) / 2;
-      const Vec2 v_world = kShares[middle - 1] * v_wanted_world;
-      (is_safe(v_world, now, free, known, keep_m) ? safe : unsafe) = middle;
+      const double share = kShares[middle - 1];
+      (is_safe(share, v_wanted_world, now, free, known, keep_m) ? safe : unsafe) = middle;
     }
     course_.share = safe == 0 ? 0 : kShares[safe - 1];
-    if (safe > 0) is_safe(course_.share * v_wanted_world, now, free, known, keep_m);
+    // Once more, for its track.
+    if (safe > 0) is_safe(course_.share, v_wanted_world, now, free, known, keep_m);
   }
-  course_.v_world = course_.share * v_wanted_world;
-  if (course_.share == 0) {
-    pieces_.clear();
-  }
+  course_.v_world = Vec2(0, 0);
+  if (course_.share > 0) course_.v_world = course_at(course_.share, v_wanted_world, now);
+  if (course_.share == 0) pieces_.clear();
   course_.tube_world = pieces_;
   v_before_ = course_.v_world;
   return course_;
 }
 
-bool SafetyGovernor::is_safe(const Vec2& v_world, const PlanarMotion& now, const FreeSpace& free,
-                             const ObstacleSnapshot& known, double keep_m) {
-  response_.predict_stop(now, v_before_, v_world, hold_s_, kSample_s, track_);
+Vec2 SafetyGovernor::course_at(double share, const Vec2& v_wanted_world,
+                               const PlanarMotion& now) const {
+  return now.v_m_s + kLead * (share * v_wanted_world - now.v_m_s);
+}
+
+double SafetyGovernor::tube_radius_m(double share, const Vec2& v_wanted_world,
+                                     const PlanarMotion& now) const {
+  return body_radius_m_ + response_.error_m(now, share * v_wanted_world) + kStraight_m;
+}
+
+bool SafetyGovernor::is_safe(double share, const Vec2& v_wanted_world, const PlanarMotion& now,
+                             const FreeSpace& free, const ObstacleSnapshot& known, double keep_m) {
+  const double radius_m = tube_radius_m(share, v_wanted_world, now);
+  response_.predict_stop(now, v_before_, course_at(share, v_wanted_world, now), hold_s_, kSample_s,
+                         track_);
   straighten_track();
   for (std::size_t i = 0; i + 1 < pieces_.size(); ++i) {
     if (!known.swept_disc_is_clear(pieces_[i], pieces_[i + 1], keep_m)) return false;
   }
   for (std::size_t i = 0; i + 1 < pieces_.size(); ++i) {
-    if (!free.swept_disc_is_free(pieces_[i], pieces_[i + 1], tube_radius_m_)) return false;
+    if (!free.swept_disc_is_free(pieces_[i], pieces_[i + 1], radius_m)) return false;
   }
   return true;
 }

@@ -12,7 +12,7 @@ namespace voronaut {
 
 // What the governor allows until the next scan.
 struct GovernedCourse {
-  Vec2 v_world = Vec2::Zero();  // to be held [m/s]
+  Vec2 v_world = Vec2::Zero();  // to be commanded [m/s]
   double share = 1;             // of the speed asked for; 0: brake
   // Where the body would go: hold the course, then brake to rest. Corners of a chain of straight
   // pieces, valid until the next call; empty when braking without a track that was proved.
@@ -44,6 +44,9 @@ struct GovernedCourse {
 class SafetyGovernor {
  public:
   static constexpr double kKnownMargin_m = 0.03;
+  // A course is commanded beyond the velocity wanted, v + kLead (wanted - v), so that the vehicle
+  // gets there with a velocity loop kLead times as fast as its regulator's.
+  static constexpr double kLead = 1.6;
 
   SafetyGovernor(const VelocityResponse& response, double body_radius_m, double clearance_min_m,
                  double hold_s);
@@ -55,12 +58,14 @@ class SafetyGovernor {
                               const FreeSpace& free, const ObstacleSnapshot& known);
 
  private:
-  bool is_safe(const Vec2& v_world, const PlanarMotion& now, const FreeSpace& free,
-               const ObstacleSnapshot& known, double keep_m);
+  Vec2 course_at(double share, const Vec2& v_wanted_world, const PlanarMotion& now) const;
+  double tube_radius_m(double share, const Vec2& v_wanted_world, const PlanarMotion& now) const;
+  bool is_safe(double share, const Vec2& v_wanted_world, const PlanarMotion& now,
+               const FreeSpace& free, const ObstacleSnapshot& known, double keep_m);
   void straighten_track();
 
   VelocityResponse response_;
-  double tube_radius_m_;
+  double body_radius_m_;
   double keep_from_known_m_;
   double hold_s_;
   Vec2 v_before_ = Vec2::Zero();
