@@ -1,0 +1,188 @@
+#include "voronaut/planners/navigation/safety_governor.h"
+
+#include <algorithm>
+#include <limits>
+
+#include <gtest/gtest.h>
+
+#include "voronaut/dynamics/catalog.h"
+#include "voronaut/environments/sensing/range_finder.h"
+#include "voronaut/environments/world.h"
+#include "voronaut/planners/mapping/obstacle_base.h"
+
+namespace voronaut {
+namespace {
+
+constexpr double kPeriod_s = 0.01;
+constexpr int kStepsPerScan = 5;
+constexpr double kBodyRadius_m = 0.25;
+constexpr double kClearance_m = 0.4;
+const Bounds kBounds{Vec2(-5, -5), Vec2(12, 5)};
+
+Shapes wall_at(double x) { return {{}, {}, {{Vec2(x, -4), Vec2(x, 4)}}}; }
+
+// A careless pilot: full speed ahead, straight at a wall, with a governor. What may be wrong with
+// the world, the sensor or the vehicle is set before flying.
+struct Dash {
+  std::string vehicle_name = "ideal";
+  Shapes shapes = wall_at(6);
+  Shapes shapes_later = shapes;  // from later_s on
+  double later_s = 1e9;
+  double range_bias_m = 0;  // added to every return
+  double braking = 1;       // share of the deceleration that the governor counts on
+  double start_speed_m_s = 0;
+  double dead_time_s = 0;  // courses take effect so much later
+  bool governed = true;
+
+  // Smallest clearance of the centre to the true surface over the flight.
+  double clearance_min_m() const {
+    VehicleSpec spec = vehicle(vehicle_name);
+    const RegulatorConfig regulator_config = regulator(spec.regulator);
+    SafetyGovernor governor(velocity_response(regulator_config, spec), kBodyRadius_m, kClearance_m,
+                            kStepsPerScan * kPeriod_s);
+    spec.limits.max_acceleration_m_s2 *= braking;
+    spec.limits.max_tilt_rad *= braking;
+    const auto model = make_model(spec.model);
+    const auto pilot = make_regulator(regulator_config, spec);
+    const RangeFinder finder{RangeFinderConfig{}};
+    Random random(1);
+    ObstacleBase base({});
+    FreeSpace free(kBounds);
+    free.mark_disc(Vec2(0, 0), kBodyRadius_m);
+    // The start is seen all around, as a look-around at rest does.
+    look_around(finder, random, base, free);
+
+    VehicleState state = model->at_rest({0, 0, 1}, {1, 0});
+    state.v_world.x() = start_speed_m_s;
+    pilot->reset(state);
+    Command pending = model->hold();
+    Setpoint setpoint;
+    setpoint.p_target_world.z() = 1;
+    std::vector<Vec2> courses;
+    double smallest = std::numeric_limits<double>::infinity();
+    Scan scan;
+    for (int step = 0; step < 600; ++step) {
+      const World world(kBounds, step * kPeriod_s < later_s ? shapes : shapes_later);
+      const Vec2 p = state.p_world.head<2>();
+      if (step % kStepsPerScan == 0) {
+        sense(finder, world, {p, Vec2(1, 0)}, random, scan);
+        base.update(scan);
+        free.update(scan);
+        const Vec2 wanted(2.5, 0);
+        courses.push_back(governed ? governor.allow(wanted, state, free, base.snapshot()).v_world
+                                   : wanted);
+        const auto late = static_cast<std::size_t>(dead_time_s / (kStepsPerScan * kPeriod_s) + 0.5);
+        setpoint.course_m_s =
+            courses.size() > late ? courses[courses.size() - 1 - late] : Vec2(0, 0);
+      }
+      smallest = std::min(smallest, world.clearance_m(p));
+      const Command next = pilot->regulate(setpoint, state);
+      state = model->step(state, pending, kPeriod_s);
+      pending = next;
+    }
+    return smallest;
+  }
+
+ private:
+  void sense(const RangeFinder& finder, const World& world, const Pose2& pose, Random& random,
+             Scan& scan) const {
+    finder.sense(world, pose, 0, random, scan);
+    for (std::size_t i = 0; i < scan.size(); ++i) {
+      if (scan.is_return(i)) scan.range_m[i] = std::min(scan.range_m[i] + range_bias_m, 2.5);
+    }
+  }
+  void look_around(const RangeFinder& finder, Random& random, ObstacleBase& base,
+                   FreeSpace& free) const {
+    Scan scan;
+    for (const Vec2& heading : {Vec2(1, 0), Vec2(0, 1), Vec2(-1, 0), Vec2(0, -1)}) {
+      sense(finder, World(kBounds, shapes), {Vec2(0, 0), heading}, random, scan);
+      base.update(scan);
+      free.update(scan);
+    }
+  }
+};
+
+TEST(SafetyGovernor, StopsACarelessPilotBeforeTheWall) {
+  for (const char* name : {"ideal", "quadrotor"}) {
+    Dash dash;
+    dash.vehicle_name = name;
+    EXPECT_GE(dash.clearance_min_m(), kBodyRadius_m) << name;
+    dash.governed = false;
+    EXPECT_LT(dash.clearance_min_m(), kBodyRadius_m) << name;
+  }
+}
+
+TEST(SafetyGovernor, LetsFullSpeedPassWhereNothingIsInTheWay) {
+  Dash open;
+  open.shapes = open.shapes_later = {};
+  VehicleSpec spec = vehicle("quadrotor");
+  SafetyGovernor governor(velocity_response(regulator("pd_rate"), spec), kBodyRadius_m,
+                          kClearance_m, 0.05);
+  FreeSpace free(kBounds);
+  free.mark_disc(Vec2(0, 0), 3);
+  const VehicleState state = make_model(spec.model)->at_rest({0, 0, 1}, {1, 0});
+  EXPECT_EQ(governor.allow(Vec2(2.5, 0), state, free, {}).share, 1);
+  EXPECT_FALSE(governor.allow(Vec2(2.5, 0), state, free, {}).refused_at);
+}
+
+TEST(SafetyGovernor, NamesThePlaceThatNobodyKnows) {
+  SafetyGovernor governor(velocity_response(regulator("ideal"), vehicle("ideal")), kBodyRadius_m,
+                          kClearance_m, 0.05);
+  FreeSpace free(kBounds);
+  free.mark_disc(Vec2(0, 0), 0.3);
+  const VehicleState state = make_model(vehicle("ideal").model)->at_rest({0, 0, 1}, {1, 0});
+  const GovernedCourse course = governor.allow(Vec2(2.5, 0), state, free, {});
+  EXPECT_LT(course.share, 1);
+  ASSERT_TRUE(course.refused_at);
+  EXPECT_FALSE(free.is_free(*course.refused_at));
+  EXPECT_GT(course.refused_at->x(), 0);
+}
+
+// Each condition of the proof, broken: the vehicle touches.
+TEST(SafetyGovernor, AWorldThatMovesIsNotItsWorld) {
+  Dash dash;
+  dash.shapes = {};
+  dash.shapes_later = wall_at(2.6);
+  dash.later_s = 1.0;
+  EXPECT_LT(dash.clearance_min_m(), kBodyRadius_m);
+}
+
+TEST(SafetyGovernor, RangesThatAreTooLongAreNotForgiven) {
+  Dash dash;
+  dash.range_bias_m = 0.5;
+  EXPECT_LT(dash.clearance_min_m(), kBodyRadius_m);
+}
+
+TEST(SafetyGovernor, AVehicleThatBrakesWorseThanPromisedTouches) {
+  Dash dash;
+  dash.braking = 0.4;
+  EXPECT_LT(dash.clearance_min_m(), kBodyRadius_m);
+}
+
+TEST(SafetyGovernor, ACourseThatActsTooLateIsNotTheCourseThatWasProved) {
+  Dash dash;
+  dash.dead_time_s = 0.6;
+  EXPECT_LT(dash.clearance_min_m(), kBodyRadius_m);
+}
+
+TEST(SafetyGovernor, AStartAtFullSpeedBeforeAWallCannotBeMended) {
+  Dash dash;
+  dash.shapes = dash.shapes_later = wall_at(0.9);
+  dash.start_speed_m_s = 2.5;
+  EXPECT_LT(dash.clearance_min_m(), kBodyRadius_m);
+}
+
+TEST(SafetyGovernor, APostThinnerThanTheBeamsSpacingSlipsThrough) {
+  Dash dash;
+  // Half way between two beams of one degree: at 2.5 m they are 4.4 cm apart.
+  dash.shapes = {{{Vec2(4, 0.035), 0.0005}}, {}, {}};
+  dash.shapes_later = dash.shapes;
+  const double slips = dash.clearance_min_m();
+  dash.shapes = {{{Vec2(4, 0), 0.03}}, {}, {}};
+  dash.shapes_later = dash.shapes;
+  EXPECT_LT(slips, kBodyRadius_m);
+  EXPECT_GE(dash.clearance_min_m(), kBodyRadius_m);
+}
+
+}  // namespace
+}  // namespace voronaut
