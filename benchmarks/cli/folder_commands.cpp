@@ -21,14 +21,6 @@ ExitCode execute(const DigestOptions& options, const CommandContext& context) {
   return ExitCode::success;
 }
 
-ExitCode execute(const ReportOptions& options, const CommandContext& context) {
-  const OutputFolder folder = OutputFolder::open(options.folder);
-  folder.write_csv();
-  folder.write_report();
-  context.out << folder.file("report.html").string() << "\n";
-  return ExitCode::success;
-}
-
 namespace {
 
 TrialSpec find_trial(const SuiteConfig& suite, const std::string& id) {

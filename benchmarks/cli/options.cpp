@@ -46,8 +46,7 @@ struct Commands {
     add_replay(app);
     digest_command = add_command(app, "digest", "Print a hash of every deterministic result");
     add_folder(digest_command, digest.folder);
-    report_command = add_command(app, "report", "Write results.csv and report.html again");
-    add_folder(report_command, report.folder);
+    add_report(app);
     add_plot(app);
     add_show(app);
     add_export(app);
@@ -74,6 +73,16 @@ struct Commands {
                                  "Fly a stored trial again: is the result the same, bit for bit?");
     add_folder(replay_command, replay.folder);
     replay_command->add_option("TRIAL_ID", replay.trial_id, "Or the beginning of it")->required();
+  }
+
+  void add_report(CLI::App& app) {
+    report_command = add_command(app, "report", "Write what a run says about its planners");
+    add_folder(report_command, report.folder);
+    report_command->add_option("-o,--output", report.out,
+                               "File [html: report.html in DIR; else the terminal]");
+    report_command->add_option("--compare", report.compare, "Another folder of results, before DIR");
+    report_command->add_option("--format", report.format, "html, md or csv [html]")
+        ->check(CLI::IsMember({"html", "md", "csv"}));
   }
 
   void add_plot(CLI::App& app) {

@@ -46,6 +46,9 @@ struct DigestOptions {
 
 struct ReportOptions {
   std::string folder;
+  std::string out;      // empty: report.html in the folder; md and csv: the terminal
+  std::string compare;  // another folder of results; empty: none
+  std::string format = "html";
 };
 
 struct PlotOptions {

@@ -5,6 +5,8 @@
 #include <sstream>
 #include <stdexcept>
 
+#include <nlohmann/json.hpp>
+
 #include "voronaut/benchmarks/results/build_info.h"
 #include "voronaut/environments/config/nearest_name.h"
 #include "voronaut/reports/page/html_report.h"
@@ -61,6 +63,15 @@ std::string text_of(const fs::path& file) {
   return text.str();
 }
 
+// Of the program that flew a run; empty if its manifest does not say.
+std::string commit_in(const std::string& manifest) {
+  const auto json = nlohmann::json::parse(manifest, nullptr, false);
+  const auto pointer = nlohmann::json::json_pointer("/program/commit");
+  return json.is_object() && json.contains(pointer) && json[pointer].is_string()
+             ? json[pointer].get<std::string>()
+             : "";
+}
+
 }  // namespace
 
 OutputFolder OutputFolder::prepare(const Place& place, const SuiteSource& source,
@@ -113,10 +124,20 @@ void OutputFolder::write_csv() const {
   write_file_atomically(file("results.csv"), records_to_csv(store_.records()));
 }
 
-void OutputFolder::write_report() const {
+void OutputFolder::write_report(const fs::path& file,
+                                std::optional<RunComparison> comparison) const {
   const std::string suite = store_.records().empty() ? "empty" : store_.records().front().suite;
-  write_html_report(read_report_input(store_, suite, text_of(file("manifest.json"))),
-                    file("report.html"));
+  ReportInput input = read_report_input(store_, suite, text_of(this->file("manifest.json")));
+  input.folder = folder_.string();
+  input.comparison = std::move(comparison);
+  write_html_report(input, file);
+}
+
+RunComparison OutputFolder::compare_with(const OutputFolder& before) const {
+  RunComparison comparison = compare_runs(store_.records(), before.store_.records());
+  comparison.title = before.folder_.string();
+  comparison.commit = commit_in(text_of(before.file("manifest.json")));
+  return comparison;
 }
 
 }  // namespace voronaut

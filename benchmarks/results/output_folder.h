@@ -2,11 +2,13 @@
 
 #include <filesystem>
 #include <iosfwd>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "voronaut/benchmarks/results/manifest.h"
 #include "voronaut/reports/store/store.h"
+#include "voronaut/reports/summary/comparison.h"
 
 namespace voronaut {
 
@@ -38,7 +40,12 @@ class OutputFolder {
 
   void write_manifest(const std::string& json) const;
   void write_csv() const;
-  void write_report() const;
+  // The HTML report, by default as report.html in the folder.
+  void write_report() const { write_report(file("report.html"), {}); }
+  void write_report(const std::filesystem::path& file,
+                    std::optional<RunComparison> comparison) const;
+  // What this run says against another one.
+  RunComparison compare_with(const OutputFolder& before) const;
 
  private:
   OutputFolder(std::filesystem::path folder, ResultStore store)

@@ -1,6 +1,7 @@
 #include "voronaut/reports/page/html_report.h"
 
 #include <algorithm>
+#include <map>
 #include <set>
 #include <string_view>
 #include <tuple>
@@ -13,47 +14,6 @@
 namespace voronaut {
 
 namespace {
-
-// Trials that can be drawn into one picture: one vehicle in one true world.
-using Scene = std::vector<const RunRecord*>;
-
-std::vector<Scene> scenes_of(const std::vector<RunRecord>& records) {
-  using Key = std::tuple<std::string, std::string, std::string, std::string>;
-  std::map<Key, Scene> scenes;
-  for (const RunRecord& r : records) {
-    scenes[{r.scenario, r.vehicle, r.regulator, r.world_id}].push_back(&r);
-  }
-  std::vector<Scene> list;
-  for (auto& [key, scene] : scenes) {
-    std::sort(scene.begin(), scene.end(), [](const RunRecord* a, const RunRecord* b) {
-      return std::tie(a->repetition, a->planner, a->trial_id) <
-             std::tie(b->repetition, b->planner, b->trial_id);
-    });
-    list.push_back(std::move(scene));
-  }
-  return list;
-}
-
-bool failed(const RunRecord* trial) { return trial->outcome != Outcome::goal_reached; }
-
-// How many scenes of the same scenario come before this one, those with the lowest repetition
-// first.
-std::vector<std::size_t> turn_of_scenes(const std::vector<Scene>& scenes) {
-  std::vector<std::size_t> order(scenes.size());
-  for (std::size_t i = 0; i < order.size(); ++i) {
-    order[i] = i;
-  }
-  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
-    return scenes[a].front()->repetition < scenes[b].front()->repetition;
-  });
-  std::map<std::tuple<std::string, std::string, std::string>, std::size_t> seen;
-  std::vector<std::size_t> turn(scenes.size());
-  for (const std::size_t i : order) {
-    const RunRecord& r = *scenes[i].front();
-    turn[i] = seen[{r.scenario, r.vehicle, r.regulator}]++;
-  }
-  return turn;
-}
 
 std::string replace_markers(std::string_view text,
                             const std::vector<std::pair<std::string_view, std::string>>& values) {
@@ -75,30 +35,6 @@ std::string replace_markers(std::string_view text,
 }
 
 }  // namespace
-
-std::vector<std::string> order_of_replays(const std::vector<RunRecord>& records) {
-  const std::vector<Scene> scenes = scenes_of(records);
-  const std::vector<std::size_t> turn = turn_of_scenes(scenes);
-  // Round 0: the first scene of each scenario, one trial per planner. 1: scenes with a failure.
-  // 2: all other scenes, one trial per planner. 3: further failures. 4: everything else.
-  std::vector<std::tuple<int, std::size_t, std::size_t, std::size_t, std::string>> ranked;
-  for (std::size_t i = 0; i < scenes.size(); ++i) {
-    const bool any_failure = std::any_of(scenes[i].begin(), scenes[i].end(), failed);
-    std::set<std::string_view> planners;
-    for (std::size_t k = 0; k < scenes[i].size(); ++k) {
-      const bool first_of_planner = planners.insert(scenes[i][k]->planner).second;
-      const int scene_round = turn[i] == 0 ? 0 : (any_failure ? 1 : 2);
-      const int round = first_of_planner ? scene_round : (failed(scenes[i][k]) ? 3 : 4);
-      ranked.emplace_back(round, turn[i], i, k, scenes[i][k]->trial_id);
-    }
-  }
-  std::sort(ranked.begin(), ranked.end());
-  std::vector<std::string> order;
-  for (auto& entry : ranked) {
-    order.push_back(std::move(std::get<4>(entry)));
-  }
-  return order;
-}
 
 ReportInput read_report_input(const ResultStore& store, std::string title,
                               std::string manifest_json, std::size_t max_trace_bytes) {

@@ -3,11 +3,13 @@
 #include <cstddef>
 #include <filesystem>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "voronaut/reports/run_record.h"
 #include "voronaut/reports/store/store.h"
+#include "voronaut/reports/summary/comparison.h"
 #include "voronaut/reports/summary/summary.h"
 #include "voronaut/reports/trace.h"
 
@@ -23,6 +25,8 @@ struct ReportInput {
   std::vector<TraceWorld> worlds;
   std::map<std::string, std::string> trace_blobs;  // by trial_id, as compress_trace makes them
   std::size_t stored_traces = 0;                   // how many there were to choose from
+  std::string folder = {};  // where the run lies, for the command that repeats a trial
+  std::optional<RunComparison> comparison = {};  // against another run
 };
 
 // What a store holds. If its traces take more than `max_trace_bytes` in the report, representative
@@ -32,8 +36,9 @@ ReportInput read_report_input(const ResultStore& store, std::string title,
                               std::size_t max_trace_bytes = std::size_t{11} << 20);
 
 // Trials in the order in which they deserve a replay: first, for each scenario in turn, one world
-// with a trial of every planner; then further worlds, those with failures first; then what is left.
-// O(n log n) for n records.
+// with a trial of every planner; then, for each planner and scenario, one trial of every way of
+// failing and the best, median and worst path ratio; then trials in the worlds of these; then what
+// is left, failures first. O(n log n) for n records.
 std::vector<std::string> order_of_replays(const std::vector<RunRecord>& records);
 
 std::string html_report(const ReportInput& input);

@@ -82,6 +82,7 @@ void count_outcomes(PlannerSummary& summary, const Trials& trials) {
   }
   summary.n = static_cast<std::int64_t>(trials.size());
   summary.success = wilson_rate(summary.outcomes[0], summary.n);
+  summary.collisions = wilson_rate(summary.outcomes[1], summary.n);
 }
 
 PlannerSummary summarise_planner(const SummaryGroup& group, const std::string& planner,

@@ -27,6 +27,7 @@ struct PlannerSummary {
   std::string planner;
   std::int64_t n = 0;
   Rate success;                                           // goal_reached of n
+  Rate collisions;                                        // collision of n
   std::array<std::int64_t, kOutcomes.size()> outcomes{};  // counts, in the order of kOutcomes
 
   Estimate path_ratio_median;        // over goal_reached

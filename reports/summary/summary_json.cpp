@@ -36,6 +36,7 @@ json planner_to_json(const PlannerSummary& s) {
   out["planner"] = s.planner;
   out["n"] = s.n;
   out["success"] = rate(s.success);
+  out["collisions"] = rate(s.collisions);
   out["outcomes"] = json::object();
   for (std::size_t i = 0; i < kOutcomes.size(); ++i) {
     out["outcomes"][std::string(to_string(kOutcomes[i]))] = s.outcomes[i];
@@ -66,7 +67,51 @@ json pairing_to_json(const PlannerPairing& p) {
   return out;
 }
 
+json change_to_json(const PlannerChange& c) {
+  json out = group_fields(c.group);
+  out["planner"] = c.planner;
+  out["n"] = c.n;
+  out["reached_before"] = rate(c.reached_before);
+  out["reached_now"] = rate(c.reached_now);
+  out["gained"] = c.gained;
+  out["lost"] = c.lost;
+  out["success_change"] = estimate(c.success_change);
+  out["path_ratio_change"] = estimate(c.path_ratio_change);
+  out["duration_change"] = estimate(c.duration_change);
+  out["state_checks_change"] = estimate(c.state_checks_change);
+  out["planning_time_change"] = estimate(c.planning_time_change);
+  return out;
+}
+
+json outcome_to_json(const OutcomeChange& c) {
+  return {{"trial_id", c.now.trial_id},
+          {"scenario", c.now.scenario},
+          {"vehicle", c.now.vehicle},
+          {"regulator", c.now.regulator},
+          {"planner", c.now.planner},
+          {"repetition", c.now.repetition},
+          {"outcome_before", to_string(c.outcome_before)},
+          {"outcome_now", to_string(c.now.outcome)},
+          {"reason_now", c.now.reason}};
+}
+
 }  // namespace
+
+std::string comparison_json(const RunComparison& comparison) {
+  json out{{"title", comparison.title},
+           {"commit", comparison.commit},
+           {"only_here", comparison.only_here},
+           {"only_there", comparison.only_there},
+           {"changes", json::array()},
+           {"outcomes", json::array()}};
+  for (const PlannerChange& c : comparison.changes) {
+    out["changes"].push_back(change_to_json(c));
+  }
+  for (const OutcomeChange& c : comparison.outcomes) {
+    out["outcomes"].push_back(outcome_to_json(c));
+  }
+  return json_text(out);
+}
 
 std::string summary_json(const Summary& summary) {
   json out{{"groups", json::array()}, {"totals", json::array()}, {"pairings", json::array()}};

@@ -135,7 +135,58 @@ void write_all(const Summary& summary, Write&& write) {
                  pairing_row, write);
 }
 
+std::string change_text(const Estimate& change, const char* unit) {
+  if (change.n == 0) {
+    return "-";
+  }
+  const auto signed_text = [](double value) {
+    return (value > 0 ? "+" : "") + fixed(100.0 * value, 1);
+  };
+  return signed_text(change.value) + unit + " [" + signed_text(change.interval.low) + ", " +
+         signed_text(change.interval.high) + "] over " + std::to_string(change.n);
+}
+
+TextTable change_table() {
+  return {{{"scenarios", Align::left},
+           {"vehicle", Align::left},
+           {"planner", Align::left},
+           {"pairs", Align::right},
+           {"reached before", Align::right},
+           {"now", Align::right},
+           {"change in points", Align::right},
+           {"path ratio", Align::right},
+           {"time to goal", Align::right},
+           {"state checks", Align::right},
+           {"planning time", Align::right}},
+          {}};
+}
+
+std::vector<std::string> change_row(const PlannerChange& c) {
+  return {printable(c.group.scenario_group),
+          printable(c.group.vehicle),
+          printable(c.planner),
+          std::to_string(c.n),
+          rate_text(c.reached_before),
+          rate_text(c.reached_now),
+          change_text(c.success_change, ""),
+          change_text(c.path_ratio_change, " %"),
+          change_text(c.duration_change, " %"),
+          change_text(c.state_checks_change, " %"),
+          change_text(c.planning_time_change, " %")};
+}
+
 }  // namespace
+
+std::string comparison_markdown(const RunComparison& comparison) {
+  TextTable table = change_table();
+  for (const PlannerChange& change : comparison.changes) {
+    table.rows.push_back(change_row(change));
+  }
+  return "**against " + printable(comparison.title) + "**\n\n" + table.markdown() + "\n" +
+         std::to_string(comparison.outcomes.size()) + " trials end differently; " +
+         std::to_string(comparison.only_here) + " here and " +
+         std::to_string(comparison.only_there) + " there have no partner.\n";
+}
 
 std::string summary_text(const Summary& summary) {
   std::string out;

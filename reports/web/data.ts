@@ -21,6 +21,7 @@ export interface PlannerSummary extends GroupKey {
   planner: string;
   n: number;
   success: Rate;
+  collisions: Rate;
   outcomes: Record<string, number>;
   path_ratio_median: Estimate;
   path_ratio_p95: Estimate;
@@ -43,6 +44,42 @@ export interface PlannerPairing extends GroupKey {
   ties: number;
   wins_b: number;
   win_share_a: Rate;
+}
+
+// One planner in one group, here against there: trials paired by scenario, repetition and vehicle.
+export interface PlannerChange extends GroupKey {
+  planner: string;
+  n: number;
+  reached_before: Rate;
+  reached_now: Rate;
+  gained: number;  // trials that failed there and reach the goal here
+  lost: number;    // the other way round
+  success_change: Estimate;        // mean over all pairs
+  path_ratio_change: Estimate;     // relative, median over pairs that both reached the goal
+  duration_change: Estimate;       // the same
+  state_checks_change: Estimate;   // relative, median over all pairs
+  planning_time_change: Estimate;  // the same; measured
+}
+
+export interface OutcomeChange {
+  trial_id: string;  // in this run
+  scenario: string;
+  vehicle: string;
+  regulator: string;
+  planner: string;
+  repetition: number;
+  outcome_before: string;
+  outcome_now: string;
+  reason_now: string;
+}
+
+export interface Comparison {
+  title: string;  // of the other run
+  commit: string;
+  only_here: number;   // trials without a partner
+  only_there: number;
+  changes: PlannerChange[];
+  outcomes: OutcomeChange[];
 }
 
 export interface World {
@@ -94,6 +131,8 @@ interface Payload {
   worlds: World[];
   traces: Record<string, string>;
   stored_traces: number;
+  folder: string;  // as it was named on the command line
+  comparison: Comparison | null;
 }
 
 export interface Report extends Omit<Payload, "trials" | "worlds"> {

@@ -1,8 +1,10 @@
 // Every trial that did not reach the goal, with its reason.
-import { byName, kGoal, Report, Trial, vehicleOf } from "./data";
-import { button, el, fixed, nameOf } from "./dom";
+import { byName, kGoal, Report, Trial, vehicleOf, World } from "./data";
+import { button, el, fixed, nameOf, select } from "./dom";
 import { replayLink } from "./links";
 import { outcomeSign, outcomeWords, Palette } from "./palette";
+import { commandOf } from "./repeat_command";
+import { Filter, keeps } from "./sample";
 import { Scene, scenesOf } from "./scene";
 import { sceneDrawing, whenSeen } from "./scenes";
 import { Column, table } from "./table";
@@ -10,6 +12,7 @@ import { hasTrace } from "./trace";
 
 const kMostRows = 200;
 const kBeforeTheEnd_s = 2;
+const kAround_m = 3.5;  // of the place where a trial ended, on its thumbnail
 
 function linkToTheEnd(trial: Trial): string {
   const end_s = Number.isNaN(trial.duration_s) ? 0 : trial.duration_s;
@@ -21,37 +24,40 @@ function replayCell(report: Report, trial: Trial): Node | string {
   return el("a", { href: linkToTheEnd(trial) }, "watch");
 }
 
-// The way of one failed trial, small; a press replays its last seconds.
+// Where one trial failed, and what was known there; a press replays its last seconds.
 function thumbnail(report: Report, scene: Scene, trial: Trial, palette: Palette): HTMLElement {
   const link = el("a", { class: "thumbnail", href: linkToTheEnd(trial),
     "aria-label": `replay of ${trial.planner} in ${trial.scenario}` });
   whenSeen(link, () => {
-    void sceneDrawing(report, scene, [trial], trial.planner, palette)
+    void sceneDrawing(report, scene, [trial], trial.planner, palette, endOf(trial))
       .then((picture) => link.replaceChildren(picture));
   });
   return link;
 }
 
+function endOf(trial: Trial): World["bounds"] | null {
+  return Number.isNaN(trial.end_x_m) ? null : [trial.end_x_m - kAround_m, trial.end_y_m - kAround_m,
+    trial.end_x_m + kAround_m, trial.end_y_m + kAround_m];
+}
+
 function columnsFor(report: Report, palette: Palette, scenes: Map<string, Scene>): Column<Trial>[] {
   return [
-    { heading: "picture", text: true, cell: (t) => {
+    { heading: "where it went wrong", text: true, cell: (t) => {
       const scene = scenes.get(t.trial_id);
-      return scene ? thumbnail(report, scene, t, palette) : "\u2013";
+      return scene ? thumbnail(report, scene, t, palette) : "no trace kept";
     } },
     { heading: "outcome", text: true, order: (t) => t.outcome,
       cell: (t) => el("span", { class: "bad" }, `${outcomeSign(t.outcome)} ${outcomeWords(t.outcome)}`) },
     { heading: "planner", text: true, order: (t) => t.planner,
       cell: (t) => el("span", {}, palette.swatch(t.planner), " ", nameOf(t.planner)) },
-    { heading: "scenario", text: true, order: (t) => t.scenario, cell: (t) => nameOf(t.scenario) },
-    { heading: "vehicle", text: true, order: vehicleOf, cell: (t) => nameOf(vehicleOf(t)) },
-    { heading: "repetition", order: (t) => Number(t.repetition), cell: (t) => t.repetition },
+    { heading: "scenario, vehicle, repetition", text: true, order: (t) => t.scenario,
+      cell: (t) => el("span", {}, nameOf(t.scenario),
+        el("small", {}, nameOf(`${vehicleOf(t)}, repetition ${t.repetition}`))) },
     { heading: "after, s", order: (t) => t.duration_s, cell: (t) => fixed(t.duration_s, 2) },
-    { heading: "at x, y in m", cell: (t) => Number.isNaN(t.end_x_m) ? "\u2013"
-      : `${fixed(t.end_x_m, 2)}, ${fixed(t.end_y_m, 2)}` },
     { heading: "reason", text: true, wrap: true, order: (t) => t.reason,
       cell: (t) => el("bdi", {}, t.reason) },
     { heading: "replay", text: true, cell: (t) => replayCell(report, t) },
-    { heading: "trial", text: true, cell: (t) => el("code", {}, nameOf(t.trial_id)) },
+    { heading: "fly it again", text: true, cell: (t) => commandOf(report, t) },
   ];
 }
 
@@ -71,28 +77,28 @@ function classTable(failed: Trial[], palette: Palette): HTMLElement {
   ], planners, (p) => palette.className(p));
 }
 
-export function failuresSection(
-  report: Report, palette: Palette, filter: { group: string; vehicle: string }
-): HTMLElement {
-  const failed = report.trials.filter((t) => t.outcome !== kGoal &&
-    (!filter.group || t.scenario_group === filter.group) &&
-    (!filter.vehicle || vehicleOf(t) === filter.vehicle))
-    .sort((a, b) => a.outcome.localeCompare(b.outcome) || a.planner.localeCompare(b.planner) ||
-      a.scenario.localeCompare(b.scenario, "en", { numeric: true }));
+export function failuresSection(report: Report, palette: Palette, filter: Filter): HTMLElement {
+  const failed = report.trials.filter((t) => t.outcome !== kGoal && keeps(filter, t))
+    .sort((a, b) => byName(a.outcome, b.outcome) || byName(a.planner, b.planner) ||
+      byName(a.scenario, b.scenario));
   if (failed.length === 0) return el("p", {}, "Every trial reached the goal.");
   const scenes = new Map(scenesOf(report).flatMap((scene) =>
     scene.trials.map((t): [string, Scene] => [t.trial_id, scene])));
+  const columns = columnsFor(report, palette, scenes);
   const place = el("div");
-  const show = (count: number): void => {
+  const show = (outcome: string, count: number): void => {
+    const chosen = failed.filter((t) => !outcome || t.outcome === outcome);
     place.replaceChildren(
-      table(`${failed.length} trials did not reach the goal`, columnsFor(report, palette, scenes),
-        failed.slice(0, count), (t) => palette.className(t.planner)),
-      count < failed.length
-        ? button(`Show all ${failed.length}`, "List every failed trial", () => show(failed.length))
+      table(`${chosen.length} trials did not reach the goal`, columns, chosen.slice(0, count),
+        (t) => palette.className(t.planner)),
+      count < chosen.length
+        ? button(`Show all ${chosen.length}`, "List every failed trial", () => show(outcome, Infinity))
         : "");
   };
-  show(kMostRows);
+  show("", kMostRows);
+  const outcomes = [...new Set(failed.map((t) => t.outcome))].sort(byName);
   return el("div", {}, classTable(failed, palette),
-    el("p", { class: "note" }, el("code", {}, "voronaut replay DIR TRIAL"), " flies a trial again and " +
-      "says whether it is the same to the last bit."), place);
+    el("div", { class: "controls" }, select("Ended by",
+      [{ value: "", text: "any" }, ...outcomes.map((o) => ({ value: o, text: outcomeWords(o) }))], "",
+      (outcome) => show(outcome, kMostRows))), place);
 }

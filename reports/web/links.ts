@@ -1,4 +1,4 @@
-// Where a reader is, in the fragment of the address: #replay=ID,ID&t=SECONDS.
+// Where a reader is, in the fragment of the address: #PAGE, or #replay=ID,ID&t=SECONDS.
 
 export interface ReplayPlace {
   trialIds: string[];
@@ -21,4 +21,10 @@ export function readReplayLink(fragment: string): ReplayPlace | null {
   } catch {
     return null;  // not written by replayLink
   }
+}
+
+// The page a fragment names, or the first.
+export function pageOf(fragment: string, pages: string[]): string {
+  const name = /^#([a-z0-9-]+)/.exec(fragment)?.[1] ?? "";
+  return pages.includes(name) ? name : pages[0];
 }

@@ -1,28 +1,24 @@
-import { kGoal, readReport, Report, Trial, vehicleOf } from "./data";
-import { button, el, percent, select } from "./dom";
+import { comparisonSection } from "./comparison";
+import { kGoal, readReport, Report } from "./data";
+import { distributions } from "./distributions";
+import { el, percent } from "./dom";
 import { failuresSection } from "./failures";
-import { Filter, overview } from "./overview";
+import { figure9Section, hasFigure9 } from "./figure9";
+import { filterBar } from "./filter_bar";
+import { pageOf } from "./links";
+import { overview } from "./overview";
 import { Palette } from "./palette";
-import { ecdfPlot, Sample, stripPlot } from "./plots";
 import { manifestEntries, provenanceSection } from "./provenance";
 import { Replay } from "./replay";
+import type { Filter } from "./sample";
 import { scenesSection } from "./scenes";
-
-function preferredTheme(): string {
-  return matchMedia("(prefers-color-scheme: dark)").matches ? "dark" : "light";
-}
-
-function setTheme(theme: string): void {
-  document.documentElement.dataset.theme = theme;
-  window.dispatchEvent(new Event("themechange"));
-}
-
-function toggleTheme(): void {
-  setTheme(document.documentElement.dataset.theme === "dark" ? "light" : "dark");
-}
+import { sweepSection } from "./sweep_plots";
+import { sweepsOf } from "./sweep";
+import { followSystemTheme, themeButton } from "./theme";
+import { startTooltips } from "./tooltip";
 
 // The facts of the manifest a reader looks for first, found by the last part of their name.
-const kHeadlineFacts = ["version", "commit", "compiler", "build_type", "cpu", "seed", "started_utc", "command"];
+const kHeadlineFacts = ["version", "commit", "compiler", "build_type", "processor", "seed", "started_utc"];
 
 function header(report: Report): HTMLElement {
   const reached = report.trials.filter((t) => t.outcome === kGoal).length;
@@ -32,8 +28,9 @@ function header(report: Report): HTMLElement {
     ["planners", String(report.planners.length)],
     ["scenarios", String(new Set(report.trials.map((t) => t.scenario)).size)],
   ];
+  const entries = manifestEntries(report.manifest);
   for (const wanted of kHeadlineFacts) {
-    const found = manifestEntries(report.manifest)
+    const found = entries
       .find(([path, value]) => path.split(".").pop()?.replace(/^git_/, "") === wanted && value.length < 120);
     if (found) facts.push([wanted, wanted === "commit" ? found[1].slice(0, 12) : found[1]]);
   }
@@ -42,98 +39,88 @@ function header(report: Report): HTMLElement {
       el("span", {}, `${name} `, el("b", {}, el("bdi", {}, value))))));
 }
 
-// Vehicles are compared with their like only: one set of plots for each.
-function distributions(report: Report, palette: Palette, filter: Filter): HTMLElement {
-  const vehicles = report.vehicles.filter((v) => !filter.vehicle || v === filter.vehicle);
-  return el("div", {}, ...vehicles.flatMap((vehicle, i) => [
-    vehicles.length > 1 ? el("h3", { class: "vehicle" }, vehicle) : null,
-    plotsOf(report, palette, filter.group, vehicle, i === 0 ? "" : `-${i + 1}`),
-  ]));
-}
-
-function plotsOf(report: Report, palette: Palette, group: string, vehicle: string,
-                 suffix: string): HTMLElement {
-  const kept = report.trials.filter((t) => (!group || t.scenario_group === group) &&
-    vehicleOf(t) === vehicle);
-  const samples: Sample[] = report.planners
-    .map((planner) => ({ planner, trials: kept.filter((t) => t.planner === planner) }))
-    .filter((s) => s.trials.length > 0);
-  const value = (column: string) => (t: Trial): number => t[column] as number;
-  return el("div", { class: "plots" },
-    ecdfPlot(`path-ratio${suffix}`, "How long are the paths?",
-      "path ratio: flown / shortest possible", samples, value("path_ratio"), palette, 1),
-    ecdfPlot(`duration${suffix}`, "How long does it take?", "time to goal in s (simulated)", samples,
-      value("duration_s"), palette, 0),
-    stripPlot(`clearance${suffix}`, "How close do they come?",
-      "smallest clearance of a trial in m, centre to surface", "", samples,
-      value("clearance_min_m"), palette, false),
-    stripPlot(`speed${suffix}`, "How fast do they fly?", "mean speed of a trial in m/s", "", samples,
-      value("speed_mean_m_s"), palette, false),
-    stripPlot(`planning-time${suffix}`, "What does planning cost?",
-      "mean planning time per scan in \u00B5s (logarithmic)", "Measured on this machine.", samples,
-      value("planning_time_us_mean"), palette, true),
-    stripPlot(`state-checks${suffix}`, "How much work is it?",
-      "state checks per trial (logarithmic)",
-      "Counted, the same on every machine; a planner that asks for none has no row.", samples,
-      (t) => Number(t.state_checks), palette, true));
-}
-
-interface Part {
+// One page of the report; drawn when it is first looked at, and again when the filter has changed.
+interface Page {
   id: string;
   title: string;
   nav: string;
   draw: (filter: Filter) => HTMLElement;
 }
 
-function build(report: Report, page: HTMLElement): void {
-  const palette = new Palette(report.planners);
-  const filter: Filter = { group: "", vehicle: "" };
-  const replay = new Replay(report, palette);
-  const parts: Part[] = [
+function pagesOf(report: Report, palette: Palette, replay: Replay): Page[] {
+  const all = { group: "", vehicle: "", planners: new Set(report.planners) };
+  const pages: (Page | false)[] = [
     { id: "overview", title: "Who arrives, and how well", nav: "Overview",
       draw: (f) => overview(report, palette, f) },
     { id: "distributions", title: "Distributions", nav: "Distributions",
       draw: (f) => distributions(report, palette, f) },
+    sweepsOf(report, all).length > 0 && { id: "sweeps", title: "Parameter sweeps", nav: "Sweeps",
+      draw: (f) => sweepSection(report, palette, f) },
     { id: "scenes", title: "Scenarios", nav: "Scenarios",
       draw: (f) => scenesSection(report, palette, f) },
+    hasFigure9(report) && { id: "figure9", title: "The quadrotor paper's figure 9", nav: "Figure 9",
+      draw: (f) => figure9Section(report, palette, f) },
     { id: "replay", title: "Replay", nav: "Replay", draw: () => replay.element },
     { id: "failures", title: "Failures", nav: "Failures",
       draw: (f) => failuresSection(report, palette, f) },
+    report.comparison !== null && { id: "comparison", title: "Against another run", nav: "Comparison",
+      draw: (f) => comparisonSection(report, palette, f) },
     { id: "provenance", title: "Where this comes from", nav: "Provenance",
       draw: () => provenanceSection(report) },
   ];
-  const places = parts.map(() => el("div"));
-  const redraw = (): void => {
-    parts.forEach((part, i) => places[i].replaceChildren(part.draw(filter)));
+  return pages.filter((p): p is Page => p !== false);
+}
+
+function build(report: Report, root: HTMLElement): void {
+  const palette = new Palette(report.planners);
+  const filter: Filter = { group: "", vehicle: "", planners: new Set(report.planners) };
+  const replay = new Replay(report, palette);
+  const pages = pagesOf(report, palette, replay);
+  const stale = new Set(pages.map((p) => p.id));
+  const links = pages.map((p) => el("a", { href: `#${p.id}` }, p.nav));
+  const places = pages.map(() => el("div"));
+  const sections = pages.map((p, i) => el("section", { id: `page-${p.id}`, "aria-labelledby": `head-${p.id}`,
+    hidden: "" }, el("h2", { id: `head-${p.id}`, tabindex: "-1" }, p.title), places[i]));
+  const show = (): void => {
+    const current = pageOf(location.hash, pages.map((p) => p.id));
+    pages.forEach((page, i) => {
+      sections[i].hidden = page.id !== current;
+      if (page.id !== current) {
+        links[i].removeAttribute("aria-current");
+        return;
+      }
+      links[i].setAttribute("aria-current", "page");
+      if (stale.delete(page.id)) places[i].replaceChildren(page.draw(filter));
+      if (page.id === "replay") replay.shown();
+    });
   };
-  const choice = (label: string, values: string[], set: (v: string) => void): HTMLElement | null =>
-    values.length < 2 ? null : select(label,
-      [{ value: "", text: "all" }, ...values.map((v) => ({ value: v, text: v }))], "",
-      (v) => { set(v); redraw(); });
-  page.replaceChildren(
+  const changed = (): void => {
+    pages.forEach((p) => stale.add(p.id));
+    show();
+  };
+  root.replaceChildren(
     header(report),
-    el("nav", { "aria-label": "Sections" },
-      ...parts.map((part) => el("a", { href: `#${part.id}` }, part.nav)),
-      el("span", { class: "space" }),
-      choice("Scenarios", report.groups, (v) => { filter.group = v; }),
-      choice("Vehicle", report.vehicles, (v) => { filter.vehicle = v; }),
-      button("Light / dark", "Switch between light and dark", toggleTheme)),
-    el("main", {}, ...parts.map((part, i) => el("section", { id: part.id, "aria-label": part.title },
-      el("h2", {}, part.title), places[i]))));
-  redraw();
-  replay.start();
+    el("div", { class: "bar-top" },
+      el("nav", { "aria-label": "Pages" }, ...links, el("span", { class: "space" }), themeButton()),
+      filterBar(report, palette, filter, changed)),
+    el("main", {}, ...sections));
+  show();
+  window.addEventListener("hashchange", () => {
+    show();
+    if (!location.hash.startsWith("#replay")) window.scrollTo(0, 0);
+  });
 }
 
 function start(): void {
-  setTheme(preferredTheme());
-  matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => setTheme(preferredTheme()));
-  const page = document.getElementById("page") as HTMLElement;
+  followSystemTheme();
+  startTooltips();
+  const root = document.getElementById("page") as HTMLElement;
   try {
-    build(readReport(document.getElementById("report-data")?.textContent ?? ""), page);
+    build(readReport(document.getElementById("report-data")?.textContent ?? ""), root);
     document.documentElement.dataset.ready = "yes";
     document.documentElement.dataset.drawnMs = performance.now().toFixed(0);
   } catch (error) {
-    page.replaceChildren(el("p", { role: "alert" }, `This report cannot be drawn: ${String(error)}`));
+    root.replaceChildren(el("p", { role: "alert" }, `This report cannot be drawn: ${String(error)}`));
     throw error;
   }
 }

@@ -1,6 +1,7 @@
 // Where the numbers come from: the manifest as it was written, and how to repeat them.
 import { Report } from "./data";
 import { el } from "./dom";
+import { repeatCommand, shellWord } from "./repeat_command";
 
 type Entry = [path: string, value: string];
 
@@ -15,11 +16,6 @@ function flatten(value: unknown, path: string, out: Entry[]): void {
   } else {
     out.push([path, String(value)]);
   }
-}
-
-function shellWord(word: unknown): string {
-  const text = String(word);
-  return /^[\w@%+=:,./-]+$/.test(text) ? text : `'${text.replace(/'/g, "'\\''")}'`;
 }
 
 export function manifestEntries(manifest: unknown): Entry[] {
@@ -41,7 +37,11 @@ export function provenanceSection(report: Report): HTMLElement {
   const long = plain.filter(([, value]) => value.length > kLongText || value.includes("\n"));
   const rows = short.map(([path, value]) => el("tr", {},
     el("th", { scope: "row", class: "text" }, path), el("td", { class: "text wrap" }, el("bdi", {}, value))));
+  const first = report.trials[0];
   return el("div", {},
+    first && el("p", {}, el("code", {}, repeatCommand(report, first)),
+      " flies a trial again and says whether it is the same to the last bit; Replay and Failures show the " +
+      "command of each."),
     el("div", { class: "scroll" }, el("table", {}, el("tbody", {}, ...rows))),
     ...long.map(([path, value]) =>
       el("details", {}, el("summary", {}, path), el("pre", {}, el("bdi", {}, value)))),

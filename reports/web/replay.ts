@@ -5,13 +5,17 @@ import { readReplayLink, replayLink, ReplayPlace } from "./links";
 import { outcomeSign, outcomeWords, Palette } from "./palette";
 import { Ink, Layers, Painter, readInk } from "./replay_canvas";
 import { frameAt, speedRamp } from "./replay_geometry";
+import { commandOf } from "./repeat_command";
 import { extentOf, firstPerPlanner, Scene, scenesOf } from "./scene";
+import { modeStrip } from "./mode_strip";
 import { kQuantities, Series, timeSeries } from "./time_series";
 import { loadTrace, Trace } from "./trace";
 
 const kMostPanels = 4;
 const kScan_s = 0.05;
 const kSpeeds = [0.25, 0.5, 1, 2, 4, 8];
+// Metres around the vehicle; 0 is the whole world.
+const kViews = [["0", "whole world"], ["6", "6 m around"], ["3", "3 m around"], ["1.5", "1.5 m around"]];
 
 interface Panel {
   trial: Trial;
@@ -40,6 +44,7 @@ export class Replay {
   private t_s = 0;
   private end_s = 1;
   private speed = 1;
+  private around_m = 0;
   private playing = false;
   private lastTick = 0;
   private opening = 0;  // a later opening overtakes an earlier one that still decodes
@@ -65,15 +70,15 @@ export class Replay {
       this.paint();
     });
     window.addEventListener("resize", () => this.paint());
-    window.addEventListener("hashchange", () => this.follow());
     document.addEventListener("keydown", (event) => this.onKey(event));
   }
 
-  // Opens what the address names, else the first scene.
-  start(): void {
+  // The page is looked at now: opens what the address names, else what was open, else the first scene.
+  shown(): void {
     if (this.follow()) return;
     const first = this.scenes[0];
-    if (first) void this.open(first, firstPerPlanner(first).slice(0, kMostPanels), 0);
+    if (this.scene) this.paint();
+    else if (first) void this.open(first, firstPerPlanner(first).slice(0, kMostPanels), 0);
   }
 
   private follow(): boolean {
@@ -90,7 +95,7 @@ export class Replay {
       .map((id) => scene.trials.find((t) => t.trial_id === id))
       .filter((t): t is Trial => t !== undefined);
     await this.open(scene, trials.slice(0, kMostPanels), place.t_s ?? 0);
-    document.getElementById("replay")?.scrollIntoView();
+    document.getElementById("page-replay")?.scrollIntoView();
     if (place.t_s === null) this.setPlaying(true);
   }
 
@@ -115,6 +120,8 @@ export class Replay {
         button("\u25B6|", "To the end (End)", () => this.seek(this.end_s)),
         select("speed", kSpeeds.map((v) => ({ value: String(v), text: `${v}\u00D7` })), "1",
           (v) => { this.speed = Number(v); }),
+        select("view", kViews.map(([value, text]) => ({ value, text })), "0",
+          (v) => { this.around_m = Number(v); this.paint(); }),
         this.slider, this.clockText,
         button("Link", "Put this moment into the address", () => this.writeLink())),
       this.panelGrid,
@@ -160,9 +167,11 @@ export class Replay {
     const extent = extentOf(scene.world, traces);
     this.panels = trials.map((trial, i) => this.makePanel(trial, traces[i], speedMax, extent));
     this.panelGrid.replaceChildren(...this.panels.map((panel) => panel.figure));
-    this.series = kQuantities
-      .map((q) => timeSeries(q, trials, traces, this.end_s, this.palette, (t) => this.seek(t)))
-      .filter((s): s is Series => s !== null);
+    const seek = (t: number): void => this.seek(t);
+    this.series = [
+      ...kQuantities.map((q) => timeSeries(q, trials, traces, this.end_s, this.palette, seek)),
+      modeStrip(trials, traces, this.end_s, this.palette, seek),
+    ].filter((s): s is Series => s !== null);
     this.seriesGrid.replaceChildren(...this.series.map((s) => s.element));
     this.showChoices();
     this.seek(t_s);
@@ -178,7 +187,7 @@ export class Replay {
       el("figcaption", {}, this.palette.swatch(trial.planner), el("h3", {}, nameOf(trial.planner)),
         el("span", { class: good ? "good" : "bad", title: trial.reason },
           `${outcomeSign(trial.outcome)} ${outcomeWords(trial.outcome)}`)),
-      canvas, readout);
+      canvas, readout, commandOf(this.report, trial));
     const world = (this.scene as Scene).world;
     return { trial, trace, canvas, readout, figure,
       painter: new Painter(canvas, world, trace, trial, speedMax, extent) };
@@ -222,7 +231,7 @@ export class Replay {
     for (const panel of this.panels) {
       const k = frameAt(panel.trace, this.t_s);
       const colour = getComputedStyle(panel.figure).getPropertyValue("--planner").trim();
-      panel.painter.paint(k, this.layers, this.ink, colour);
+      panel.painter.paint(k, this.layers, this.ink, colour, this.around_m);
       this.describe(panel, k);
     }
   }
@@ -298,6 +307,6 @@ export class Replay {
 
   private onScreen(): boolean {
     const box = this.panelGrid.getBoundingClientRect();
-    return box.bottom > 0 && box.top < window.innerHeight;
+    return box.height > 0 && box.bottom > 0 && box.top < window.innerHeight;
   }
 }

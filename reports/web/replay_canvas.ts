@@ -41,8 +41,9 @@ export class Painter {
     canvas.style.aspectRatio = `${x1 - x0} / ${y1 - y0}`;
   }
 
-  paint(k: number, layers: Layers, ink: Ink, planner: string): void {
-    this.begin(ink);
+  // around_m: half the side of what is shown around the vehicle, 0 for the whole world.
+  paint(k: number, layers: Layers, ink: Ink, planner: string, around_m: number): void {
+    this.begin(k, ink, around_m);
     if (layers.truth) this.paintTruth(ink);
     if (layers.rays) this.paintRays(k, ink);
     if (layers.known) this.paintKnown(k, ink);
@@ -54,14 +55,17 @@ export class Painter {
   }
 
   // Metres, y up, 1 px of the page = 1 / scale metres.
-  private begin(ink: Ink): void {
+  private begin(k: number, ink: Ink, around_m: number): void {
     const { canvas, context } = this;
-    const [x0, , x1, y1] = this.extent;
     const ratio = window.devicePixelRatio || 1;
     const width = canvas.clientWidth || 320;
     const height = canvas.clientHeight || 320;
     canvas.width = Math.round(width * ratio);
     canvas.height = Math.round(height * ratio);
+    const { x_m, y_m } = this.trace.frames;
+    const high_m = around_m * height / width;
+    const [x0, , x1, y1] = around_m > 0
+      ? [x_m[k] - around_m, y_m[k] - high_m, x_m[k] + around_m, y_m[k] + high_m] : this.extent;
     this.scale = width / (x1 - x0);
     context.setTransform(1, 0, 0, 1, 0, 0);
     context.fillStyle = ink.bg;

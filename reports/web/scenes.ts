@@ -3,9 +3,10 @@ import { kGoal, Report, Trial, World } from "./data";
 import { button, el, fixed, nameOf, saveText, select, svg } from "./dom";
 import { outcomeSign, outcomeWords, Palette } from "./palette";
 import { replayLink } from "./links";
+import { Filter, keeps } from "./sample";
 import { extentOf, firstPerPlanner, Scene, scenesOf } from "./scene";
 import { standaloneSvg } from "./take_away";
-import { hasTrace, loadTrace, Trace } from "./trace";
+import { loadTrace, Trace } from "./trace";
 
 const kSide = 400;  // of the drawing, in its own units
 const kMostAtOnce = 24;
@@ -109,10 +110,11 @@ function drawTrack(root: SVGElement, trial: Trial, trace: Trace, view: View, pal
 }
 
 export async function sceneDrawing(
-  report: Report, scene: Scene, trials: Trial[], mapOf: string, palette: Palette
+  report: Report, scene: Scene, trials: Trial[], mapOf: string, palette: Palette,
+  part: World["bounds"] | null = null  // null: all that is worth showing
 ): Promise<SVGElement> {
   const traces = await Promise.all(trials.map((t) => loadTrace(report, t.trial_id)));
-  const view = new View(extentOf(scene.world, traces), kSide);
+  const view = new View(part ?? extentOf(scene.world, traces), kSide);
   const root = svg("svg", { class: "world", role: "img",
     viewBox: `-4 -4 ${view.width + 8} ${view.height + 26}`,
     "aria-label": `${scene.scenario}: true world, what was known, and ${trials.length} ways` });
@@ -145,8 +147,9 @@ function trialLine(trial: Trial, palette: Palette): HTMLElement {
     el("span", { class: "result soft" }, resultText(trial)));
 }
 
-function sceneCard(report: Report, scene: Scene, mapOf: string, palette: Palette): HTMLElement {
-  const trials = firstPerPlanner(scene).filter((t) => hasTrace(report, t.trial_id));
+function sceneCard(report: Report, scene: Scene, shown: Set<string>, mapOf: string,
+                   palette: Palette): HTMLElement {
+  const trials = firstPerPlanner(scene).filter((t) => shown.has(t.planner));
   const place = el("div", { class: "waiting" }, "drawing \u2026");
   const card = el("figure", { "data-scene": scene.scenario },
     el("figcaption", {}, el("h3", {}, nameOf(scene.scenario)),
@@ -187,10 +190,9 @@ export function whenSeen(element: Element, action: () => void): void {
 }
 
 export function scenesSection(
-  report: Report, palette: Palette, filter: { group: string; vehicle: string }
+  report: Report, palette: Palette, filter: Filter
 ): HTMLElement {
-  const scenes = scenesOf(report).filter((s) => (!filter.group || s.scenario_group === filter.group) &&
-    (!filter.vehicle || s.vehicle === filter.vehicle));
+  const scenes = scenesOf(report).filter((s) => s.trials.some((t) => keeps(filter, t)));
   const drawn = Object.keys(report.traces).length;
   const grid = el("div", { class: "scenes" });
   const more = el("div", { class: "controls" });
@@ -198,7 +200,7 @@ export function scenesSection(
   let mapOf = report.planners[0] ?? "";
   const extend = (): void => {
     const next = scenes.slice(shown, shown + kMostAtOnce);
-    grid.append(...next.map((scene) => sceneCard(report, scene, mapOf, palette)));
+    grid.append(...next.map((scene) => sceneCard(report, scene, filter.planners, mapOf, palette)));
     shown += next.length;
     more.replaceChildren(shown < scenes.length
       ? button(`Show ${Math.min(kMostAtOnce, scenes.length - shown)} more of ${scenes.length}`,
@@ -216,8 +218,9 @@ export function scenesSection(
       "outlines: hulls of the clusters they were grouped into. Lines: where each planner flew; a " +
       "sign marks where a trial failed, a disc is the body at the end."),
     drawn < report.stored_traces && el("p", { class: "note" },
-      `${drawn} of ${report.stored_traces} stored trials are drawn and can be replayed here: one ` +
-      "world of every scenario first, then failures. The others are in the results store."),
+      `${drawn} of ${report.stored_traces} stored trials are drawn and can be replayed here: for every ` +
+      "planner and scenario the best, the median and the worst path and each way of failing, first of " +
+      "all one world of every scenario. The others are in the results store."),
     el("div", { class: "controls" },
       select("Points and hulls as known to",
         report.planners.map((p) => ({ value: p, text: p })), mapOf, (value) => {

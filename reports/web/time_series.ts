@@ -4,14 +4,16 @@ import { scaleLinear } from "d3-scale";
 import { select } from "d3-selection";
 
 import { Trial } from "./data";
-import { csv, svg } from "./dom";
+import { csv, fixed, svg } from "./dom";
 import { Palette } from "./palette";
-import { figureOf } from "./plots";
+import { figureOf, legend } from "./figure";
+import { frameAt } from "./replay_geometry";
+import { probe } from "./tooltip";
 import { Frames, Trace } from "./trace";
 
-const kWidth = 560;
-const kHeight = 170;
-const kMargin = { top: 8, right: 12, bottom: 34, left: 52 };
+export const kWidth = 560;
+export const kHeight = 170;
+export const kMargin = { top: 8, right: 12, bottom: 34, left: 52 };
 
 export interface Quantity {
   id: string;
@@ -81,8 +83,7 @@ export function timeSeries(
     svg("text", { class: "label", x: 12, y: kHeight / 2 - 12, "text-anchor": "middle",
       transform: `rotate(-90 12 ${kHeight / 2 - 12})` }, quantity.unit));
   lines.forEach((list, i) => {
-    const g = svg("g", { class: palette.className(trials[i].planner) },
-      svg("title", {}, trials[i].planner));
+    const g = svg("g", { class: palette.className(trials[i].planner) });
     for (const line of list) {
       g.append(svg("path", { class: "curve", d: linePath(traces[i].frames.t_s, line, x, y),
         "stroke-dasharray": palette.dash(trials[i].planner) }));
@@ -95,8 +96,17 @@ export function timeSeries(
     const box = root.getBoundingClientRect();
     seek(x.invert((event.clientX - box.left) * kWidth / box.width));
   });
+  probe(root, (at) => {
+    if (at < kMargin.left || at > kWidth - kMargin.right) return null;
+    const t_s = x.invert(at);
+    return [`${fixed(t_s, 2)} s`, ...traces.map((trace, i) => {
+      const k = frameAt(trace, t_s);
+      return `${trials[i].planner}: ${lines[i].map((l) => fixed(l[k], 2)).join(", ")} ${quantity.unit}`;
+    })].join("\n");
+  }, () => undefined);
+  const key = legend(trials.map((t) => ({ planner: t.planner, count: `repetition ${t.repetition}` })), palette);
   const element = figureOf(`series-${quantity.id}`, `${quantity.title} in ${quantity.unit}`, "", root,
-    null, () => csv(["trial_id", "planner", "time_s", `${quantity.title} ${quantity.unit}`],
+    key, () => csv(["trial_id", "planner", "time_s", `${quantity.title} ${quantity.unit}`],
       lines.flatMap((list, i) => list.flatMap((line) => Array.from(line, (v, k) =>
         [trials[i].trial_id, trials[i].planner, traces[i].frames.t_s[k], v])))));
   return {

@@ -1,0 +1,53 @@
+#include <ostream>
+#include <stdexcept>
+
+#include "voronaut/benchmarks/cli/commands.h"
+#include "voronaut/benchmarks/results/output_folder.h"
+#include "voronaut/reports/page/html_report.h"
+#include "voronaut/reports/store/atomic_file.h"
+#include "voronaut/reports/store/csv_writer.h"
+#include "voronaut/reports/summary/summary_text.h"
+
+namespace voronaut {
+
+namespace {
+
+std::string markdown(const OutputFolder& folder, const std::optional<RunComparison>& comparison) {
+  std::string text = summary_markdown(summarise(folder.store().records()));
+  if (comparison) text += "\n" + comparison_markdown(*comparison);
+  return text;
+}
+
+void write(const ReportOptions& options, const CommandContext& context, const std::string& text) {
+  if (options.out.empty()) {
+    context.out << text;
+    return;
+  }
+  write_file_atomically(options.out, text);
+  context.out << options.out << "\n";
+}
+
+}  // namespace
+
+ExitCode execute(const ReportOptions& options, const CommandContext& context) {
+  const OutputFolder folder = OutputFolder::open(options.folder);
+  if (options.format == "csv" && !options.compare.empty())
+    throw std::invalid_argument("--compare: goes with --format html or md, not csv");
+  std::optional<RunComparison> comparison;
+  if (!options.compare.empty())
+    comparison = folder.compare_with(OutputFolder::open(options.compare));
+  if (options.format == "csv") {
+    write(options, context, records_to_csv(folder.store().records()));
+  } else if (options.format == "md") {
+    write(options, context, markdown(folder, comparison));
+  } else {
+    const std::filesystem::path file =
+        options.out.empty() ? folder.file("report.html") : std::filesystem::path(options.out);
+    if (options.out.empty()) folder.write_csv();
+    folder.write_report(file, std::move(comparison));
+    context.out << file.string() << "\n";
+  }
+  return ExitCode::success;
+}
+
+}  // namespace voronaut

@@ -1,0 +1,122 @@
+// Which groups of a summary form a sweep: the same thing at different values of one number.
+import { byName, PlannerSummary, Report, vehicleOf } from "./data";
+import type { Filter } from "./sample";
+
+const kFewest = 3;  // values that make a line worth drawing
+
+export interface SweepPoint {
+  x: number;
+  summary: PlannerSummary;
+}
+
+export interface Sweep {
+  title: string;
+  xName: string;
+  vehicle: string;
+  lines: { label: string; planner: string; points: SweepPoint[] }[];  // planner: whose colour
+}
+
+type Entries = Record<string, unknown>;
+
+interface Configured {
+  name: string;
+  group: string;
+  label: string;
+  generator?: Entries;
+  params?: Entries;
+}
+
+function configured(report: Report, list: "scenarios" | "planners"): Configured[] {
+  const configuration = (report.manifest as Entries | null)?.configuration as Entries | undefined;
+  return (configuration?.[list] as Configured[] | undefined) ?? [];
+}
+
+// The one key whose numbers tell these apart, or null.
+function varying(all: Entries[]): string | null {
+  const keys = [...new Set(all.flatMap((entries) => Object.keys(entries)))];
+  const differ = keys.filter((key) => new Set(all.map((e) => JSON.stringify(e[key]))).size > 1);
+  if (differ.length !== 1) return null;
+  const values = all.map((entries) => entries[differ[0]]);
+  return values.every((v) => Number.isFinite(Number(v))) ? differ[0] : null;
+}
+
+function grouped<Item>(items: Item[], key: (item: Item) => string): Map<string, Item[]> {
+  const groups = new Map<string, Item[]>();
+  for (const item of items) {
+    const list = groups.get(key(item));
+    if (list) list.push(item);
+    else groups.set(key(item), [item]);
+  }
+  return groups;
+}
+
+// Scenario groups by the parameter of the generator they differ in: group name -> value.
+function generatorSweeps(report: Report): { xName: string; x: Map<string, number> }[] {
+  const scenarios = configured(report, "scenarios").filter((s) => s.generator);
+  const sweeps = [];
+  for (const [name, list] of grouped(scenarios, (s) => String(s.generator?.name))) {
+    const key = varying(list.map((s) => s.generator as Entries));
+    if (!key) continue;
+    sweeps.push({ xName: `${name}: ${key}`,
+      x: new Map(list.map((s) => [s.group, Number(s.generator?.[key])])) });
+  }
+  return sweeps;
+}
+
+// Else by the number in their names: "bearing-45", "bearing-90" ...
+function namedSweeps(groups: string[]): { xName: string; x: Map<string, number> }[] {
+  const parts = groups.map((name) => ({ name, match: /^(.*?)(-?\d+(?:\.\d+)?)(\D*)$/.exec(name) }))
+    .flatMap(({ name, match }) => match ? [{ name, stem: `${match[1].replace(/[-_ ]$/, "")}${match[3]}`,
+      x: Math.abs(Number(match[2])) }] : []);
+  return [...grouped(parts, (p) => p.stem)].map(([stem, list]) => ({
+    xName: `${stem || "scenario group"}: number in its name`,
+    x: new Map(list.map((p) => [p.name, p.x])),
+  }));
+}
+
+function byX(points: SweepPoint[]): SweepPoint[] {
+  return points.sort((a, b) => a.x - b.x);
+}
+
+function scenarioSweeps(report: Report, rows: PlannerSummary[]): Sweep[] {
+  const exact = generatorSweeps(report);
+  const covered = new Set(exact.filter((s) => s.x.size >= kFewest).flatMap((s) => [...s.x.keys()]));
+  const axes = [...exact, ...namedSweeps(report.groups.filter((g) => !covered.has(g)))]
+    .filter((axis) => axis.x.size >= kFewest);
+  return axes.flatMap(({ xName, x }) => {
+    const inside = rows.filter((r) => x.has(r.scenario_group));
+    return [...grouped(inside, vehicleOf)].map(([vehicle, list]): Sweep => ({
+      title: "over the scenarios", xName, vehicle,
+      lines: [...grouped(list, (r) => r.planner)].sort(([a], [b]) => byName(a, b)).map(([planner, mine]) => ({
+        label: planner, planner,
+        points: byX(mine.map((r) => ({ x: x.get(r.scenario_group) as number, summary: r }))),
+      })),
+    }));
+  });
+}
+
+function plannerSweeps(report: Report, rows: PlannerSummary[]): Sweep[] {
+  const sweeps: Sweep[] = [];
+  for (const [name, list] of grouped(configured(report, "planners"), (p) => p.name)) {
+    const key = list.length >= kFewest ? varying(list.map((p) => p.params ?? {})) : null;
+    if (!key) continue;
+    const x = new Map(list.map((p) => [p.label, Number(p.params?.[key])]));
+    const inside = rows.filter((r) => x.has(r.planner));
+    for (const [place, mine] of grouped(inside, (r) => JSON.stringify([vehicleOf(r), r.scenario_group]))) {
+      const [vehicle, group] = JSON.parse(place) as [string, string];
+      sweeps.push({ title: `over ${key} of ${name} in ${group}`, xName: `${name}: ${key}`, vehicle,
+        lines: [{ label: name, planner: list[0].label,
+          points: byX(mine.map((r) => ({ x: x.get(r.planner) as number, summary: r }))) }] });
+    }
+  }
+  return sweeps;
+}
+
+export function sweepsOf(report: Report, filter: Filter): Sweep[] {
+  const rows = report.summary.groups.filter((r) => filter.planners.has(r.planner) &&
+    (!filter.group || r.scenario_group === filter.group) &&
+    (!filter.vehicle || vehicleOf(r) === filter.vehicle));
+  return [...scenarioSweeps(report, rows), ...plannerSweeps(report, rows)]
+    .filter((sweep) => sweep.lines.some((line) => line.points.length >= kFewest))
+    .sort((a, b) => byName(a.title, b.title) || byName(a.xName, b.xName) || byName(a.vehicle, b.vehicle));
+}

@@ -1,0 +1,28 @@
+// Light or dark: as the system says, until the reader says otherwise.
+import { button } from "./dom";
+
+const kDark = "(prefers-color-scheme: dark)";
+
+function setTheme(theme: string): void {
+  document.documentElement.dataset.theme = theme;
+  window.dispatchEvent(new Event("themechange"));
+}
+
+export function followSystemTheme(): void {
+  const query = matchMedia(kDark);
+  const follow = (): void => setTheme(query.matches ? "dark" : "light");
+  query.addEventListener("change", follow);
+  follow();
+  // Ink on paper, whatever the screen shows.
+  let before = "";
+  window.addEventListener("beforeprint", () => {
+    before = document.documentElement.dataset.theme ?? "";
+    setTheme("light");
+  });
+  window.addEventListener("afterprint", () => setTheme(before));
+}
+
+export function themeButton(): HTMLButtonElement {
+  return button("Light / dark", "Switch between light and dark", () =>
+    setTheme(document.documentElement.dataset.theme === "dark" ? "light" : "dark"));
+}
