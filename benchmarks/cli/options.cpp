@@ -80,7 +80,8 @@ struct Commands {
     add_folder(report_command, report.folder);
     report_command->add_option("-o,--output", report.out,
                                "File [html: report.html in DIR; else the terminal]");
-    report_command->add_option("--compare", report.compare, "Another folder of results, before DIR");
+    report_command->add_option("--compare", report.compare,
+                               "Another folder of results, before DIR");
     report_command->add_option("--format", report.format, "html, md or csv [html]")
         ->check(CLI::IsMember({"html", "md", "csv"}));
   }

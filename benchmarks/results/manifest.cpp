@@ -65,6 +65,9 @@ Json defining_json(const SuiteConfig& suite) {
 
 Json full_json(const SuiteConfig& suite) {
   Json json = defining_json(suite);
+  for (std::size_t i = 0; i < suite.scenarios.size(); ++i)
+    if (suite.scenarios[i].random())  // short then, and a report can name what a sweep goes over
+      json["scenarios"][i]["definition"] = suite.scenarios[i].definition();
   json["repetitions"] = suite.repetitions;
   json["limits"] = config_json(suite.limits);
   json["traces"] = suite.traces == TraceKeeping::all        ? "all"

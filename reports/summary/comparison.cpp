@@ -8,7 +8,8 @@ namespace voronaut {
 
 namespace {
 
-using Key = std::tuple<std::string, std::string, std::string, std::string, std::string, std::int64_t>;
+using Key =
+    std::tuple<std::string, std::string, std::string, std::string, std::string, std::int64_t>;
 
 Key key_of(const RunRecord& r) {
   return {r.scenario_group, r.scenario, r.vehicle, r.regulator, r.planner, r.repetition};

@@ -35,10 +35,10 @@ struct OutcomeChange {
 };
 
 struct RunComparison {
-  std::string title;   // of the run before
-  std::string commit;  // of the program that flew it; empty: unknown
-  std::int64_t only_here = 0;   // trials now without a partner
-  std::int64_t only_there = 0;  // trials before without one
+  std::string title;                    // of the run before
+  std::string commit;                   // of the program that flew it; empty: unknown
+  std::int64_t only_here = 0;           // trials now without a partner
+  std::int64_t only_there = 0;          // trials before without one
   std::vector<PlannerChange> changes;   // by scenario group, vehicle, regulator, planner
   std::vector<OutcomeChange> outcomes;  // pairs that end differently, in the order of `now`
 };

@@ -98,12 +98,9 @@ json outcome_to_json(const OutcomeChange& c) {
 }  // namespace
 
 std::string comparison_json(const RunComparison& comparison) {
-  json out{{"title", comparison.title},
-           {"commit", comparison.commit},
-           {"only_here", comparison.only_here},
-           {"only_there", comparison.only_there},
-           {"changes", json::array()},
-           {"outcomes", json::array()}};
+  json out{{"title", comparison.title},         {"commit", comparison.commit},
+           {"only_here", comparison.only_here}, {"only_there", comparison.only_there},
+           {"changes", json::array()},          {"outcomes", json::array()}};
   for (const PlannerChange& c : comparison.changes) {
     out["changes"].push_back(change_to_json(c));
   }

@@ -197,7 +197,8 @@ export function scenesSection(
   const grid = el("div", { class: "scenes" });
   const more = el("div", { class: "controls" });
   let shown = 0;
-  let mapOf = report.planners[0] ?? "";
+  const planners = report.planners.filter((p) => filter.planners.has(p));
+  let mapOf = planners[0] ?? "";
   const extend = (): void => {
     const next = scenes.slice(shown, shown + kMostAtOnce);
     grid.append(...next.map((scene) => sceneCard(report, scene, filter.planners, mapOf, palette)));
@@ -223,7 +224,7 @@ export function scenesSection(
       "all one world of every scenario. The others are in the results store."),
     el("div", { class: "controls" },
       select("Points and hulls as known to",
-        report.planners.map((p) => ({ value: p, text: p })), mapOf, (value) => {
+        planners.map((p) => ({ value: p, text: p })), mapOf, (value) => {
           mapOf = value;
           redraw();
         })),

@@ -22,7 +22,7 @@ interface Configured {
   name: string;
   group: string;
   label: string;
-  generator?: Entries;
+  definition?: string;  // of a random scenario: key=value;key=value; ...
   params?: Entries;
 }
 
@@ -50,15 +50,22 @@ function grouped<Item>(items: Item[], key: (item: Item) => string): Map<string, 
   return groups;
 }
 
+// The generator's name stands after the scenario's own and replaces it.
+function entriesOf(definition: string): Record<string, string> {
+  return Object.fromEntries(definition.split(";").map((pair) => pair.split("="))
+    .filter((pair) => pair.length === 2));
+}
+
 // Scenario groups by the parameter of the generator they differ in: group name -> value.
 function generatorSweeps(report: Report): { xName: string; x: Map<string, number> }[] {
-  const scenarios = configured(report, "scenarios").filter((s) => s.generator);
+  const scenarios = configured(report, "scenarios").filter((s) => s.definition)
+    .map((s) => ({ group: s.group, entries: entriesOf(s.definition as string) }));
   const sweeps = [];
-  for (const [name, list] of grouped(scenarios, (s) => String(s.generator?.name))) {
-    const key = varying(list.map((s) => s.generator as Entries));
+  for (const [name, list] of grouped(scenarios, (s) => s.entries.name)) {
+    const key = varying(list.map((s) => s.entries));
     if (!key) continue;
     sweeps.push({ xName: `${name}: ${key}`,
-      x: new Map(list.map((s) => [s.group, Number(s.generator?.[key])])) });
+      x: new Map(list.map((s) => [s.group, Number(s.entries[key])])) });
   }
   return sweeps;
 }

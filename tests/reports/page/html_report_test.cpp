@@ -43,7 +43,7 @@ TEST(ReportData, MatchesTheGoldenText) {
                     .stored_traces = 3};
   EXPECT_EQ(
       report_data_json(input),
-      R"({"manifest":{"version":"0.1.0"},"outcomes":["goal_reached","collision","out_of_bounds",)"
+      R"({"comparison":null,"folder":"DIR","manifest":{"version":"0.1.0"},"outcomes":["goal_reached","collision","out_of_bounds",)"
       R"("timeout","stuck","infeasible","invalid","killed","crash","memory"],"stored_traces":3,)"
       R"("summary":{"groups":[],"pairings":[],"totals":[]},"title":"golden","traces":{"t1":"//4="},)"
       R"("trials":{"budget_stops":{"index":[0],"texts":["0"]},"clearance_mean_m":[null],)"
@@ -126,6 +126,40 @@ TEST(HtmlReport, ReplaysStartWithOneWorldPerScenarioAndAllItsPlanners) {
   }
   EXPECT_EQ(first.size(), scenes);
   EXPECT_EQ(std::set(order.begin(), order.end()).size(), order.size());
+}
+
+TEST(HtmlReport, ReplaysOfARunTooLargeAreBestMedianWorstAndEveryWayOfFailing) {
+  std::vector<RunRecord> records;
+  for (int i = 0; i < 100; ++i) {
+    RunRecord& r = records.emplace_back(synthetic::make_record("t" + std::to_string(100 + i)));
+    r.repetition = i;
+    r.world_id = "w" + std::to_string(i);
+    r.path_ratio = 1.0 + ((37 * i) % 100) / 100.0;  // each value once
+    if (i == 50 || i == 60 || i == 70) {
+      r.outcome = i == 60 ? Outcome::timeout : Outcome::collision;
+    }
+  }
+  std::vector<double> reached;
+  for (const RunRecord& r : records) {
+    if (r.outcome == Outcome::goal_reached) reached.push_back(r.path_ratio);
+  }
+  std::sort(reached.begin(), reached.end());
+  const auto order = order_of_replays(records);
+  ASSERT_EQ(order.size(), records.size());
+  EXPECT_EQ(order[0], "t100");  // the first world
+  std::vector<double> ratios;
+  std::vector<Outcome> failures;
+  for (std::size_t i = 1; i < 5; ++i) {
+    for (const RunRecord& r : records) {
+      if (r.trial_id == order[i] && r.outcome == Outcome::goal_reached)
+        ratios.push_back(r.path_ratio);
+      if (r.trial_id == order[i] && r.outcome != Outcome::goal_reached)
+        failures.push_back(r.outcome);
+    }
+  }
+  // t100 has ratio 1.0, the best: two successes are left, and one trial of each way of failing.
+  EXPECT_THAT(ratios, ::testing::IsSupersetOf({reached[reached.size() / 2], reached.back()}));
+  EXPECT_THAT(failures, ::testing::UnorderedElementsAre(Outcome::collision, Outcome::timeout));
 }
 
 class ReportFile : public ::testing::Test {
