@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <array>
 #include <cstdio>
 #include <filesystem>
@@ -164,6 +165,20 @@ TEST_F(CommandLine, RunsASuiteAndAnswersQuestionsAboutIt) {
   std::filesystem::remove(path("r/report.html"));
   EXPECT_EQ(voronaut("report r").out, "r/report.html\n");
   EXPECT_TRUE(std::filesystem::exists(path("r/report.html")));
+
+  EXPECT_EQ(voronaut("report r -o page.html --compare voronaut-results/open").out, "page.html\n");
+  EXPECT_THAT(text_of(path("page.html")), HasSubstr("\"title\":\"voronaut-results/open\""));
+  EXPECT_THAT(text_of(path("page.html")), HasSubstr("\"folder\":\"r\""));
+  EXPECT_EQ(voronaut("report r --format csv").out, csv);
+  EXPECT_THAT(voronaut("report r --format md").out, HasSubstr("| RRTConnect"));
+  EXPECT_EQ(voronaut("report r --format md -o r.md --compare voronaut-results/open").out, "r.md\n");
+  EXPECT_THAT(text_of(path("r.md")), HasSubstr("0 trials end differently"));
+  for (const char* wrong : {"report r --format pdf", "report r --compare nowhere",
+                            "report r --format csv --compare r"}) {
+    const Answer refused = voronaut(wrong);
+    EXPECT_EQ(refused.exit_code, 2) << wrong;
+    EXPECT_EQ(std::count(refused.err.begin(), refused.err.end(), '\n'), 1) << refused.err;
+  }
 }
 
 TEST_F(CommandLine, KeepsResultsOfAnotherVersionOfTheSuiteApart) {
