@@ -142,8 +142,11 @@ std::string change_text(const Estimate& change, const char* unit) {
   const auto signed_text = [](double value) {
     return (value > 0 ? "+" : "") + fixed(100.0 * value, 1);
   };
-  return signed_text(change.value) + unit + " [" + signed_text(change.interval.low) + ", " +
-         signed_text(change.interval.high) + "] over " + std::to_string(change.n);
+  const std::string interval = std::isnan(change.interval.low)
+                                   ? ""
+                                   : " [" + signed_text(change.interval.low) + ", " +
+                                         signed_text(change.interval.high) + "]";
+  return signed_text(change.value) + unit + interval + " over " + std::to_string(change.n);
 }
 
 TextTable change_table() {

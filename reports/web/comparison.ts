@@ -13,10 +13,13 @@ function signed(value: number | null, decimals: number): string {
   return value !== null && value > 0 ? `+${text}` : text;
 }
 
-// Whether an interval leaves zero out, and on which side; less is better unless said otherwise.
+// Below six pairs no outcome of a two-sided sign test falls under 5 %: no word is said then.
+const kFewestPairs = 6;
+
+// Whether an interval leaves zero out, and on which side.
 function verdict(change: Estimate, moreIsBetter: boolean): "better" | "worse" | "" {
   const [low, high] = change.interval;
-  if (low === null || high === null || (low <= 0 && high >= 0)) return "";
+  if (change.n < kFewestPairs || low === null || high === null || (low <= 0 && high >= 0)) return "";
   return (low > 0) === moreIsBetter ? "better" : "worse";
 }
 
@@ -85,7 +88,7 @@ export function comparisonSection(report: Report, palette: Palette, filter: Filt
     el("p", {}, "Here: this run. There: ", el("b", {}, el("bdi", {}, other.title)),
       other.commit && `, commit ${other.commit.slice(0, 12)}`,
       ". Trials are paired by scenario, vehicle, planner and repetition; a change is called better or " +
-      "worse where its 95 % interval leaves zero out.",
+      `worse where its 95 % interval leaves zero out, from ${kFewestPairs} pairs on.`,
       alone > 0 && ` ${other.only_here} trials here and ${other.only_there} there have no partner.`),
     changeTable(other.changes.filter((r) => keep(r) && (!filter.group || r.scenario_group === filter.group))
       .sort((a, b) => byName(groupName(a), groupName(b)) || byName(a.planner, b.planner)), palette),
