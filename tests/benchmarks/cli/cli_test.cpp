@@ -105,8 +105,8 @@ TEST_F(CommandLine, NamesTheSuitesThatShipWhenOneIsMisspelt) {
 }
 
 TEST_F(CommandLine, HelpsEverywhereAndKnowsItsVersion) {
-  for (const std::string command :
-       {"", "run", "summary", "list", "check", "replay", "digest", "report", "plot"}) {
+  for (const std::string command : {"", "run", "summary", "list", "check", "replay", "digest",
+                                    "report", "plot", "show", "export"}) {
     const Answer help = voronaut(command + " --help");
     EXPECT_EQ(help.exit_code, 0) << command;
     EXPECT_THAT(help.out, HasSubstr("Exit codes: 0 success;")) << command;
@@ -134,6 +134,19 @@ TEST_F(CommandLine, ChecksSuitesAndScenarios) {
   EXPECT_EQ(voronaut("check world.yaml").out, "world.yaml: scenario 'w'\n");
 }
 
+TEST_F(CommandLine, DrawsScenariosAndForeignWorlds) {
+  write("world.yaml",
+        "name: w\nworld: {}\nbounds: [[0, 0], [2, 2]]\nstart: [1, 1]\ngoal: [1.5, 1.5]\n");
+  write("cells.map", "type octile\nheight 2\nwidth 3\nmap\n...\n.@.\n");
+  EXPECT_EQ(voronaut("show world.yaml -o w.svg").out, "w.svg\n");
+  EXPECT_THAT(text_of(path("w.svg")), HasSubstr("<circle"));
+  EXPECT_EQ(voronaut("show cells.map -o c.svg").out, "c.svg\n");
+  EXPECT_THAT(text_of(path("c.svg")), ::testing::Not(HasSubstr("<circle")));  // no start
+  const Answer picture = voronaut("show cells.map -o c.gif");
+  EXPECT_EQ(picture.exit_code, 2);
+  EXPECT_EQ(picture.err, "voronaut: -o 'c.gif': expected a name that ends in .svg\n");
+}
+
 TEST_F(CommandLine, RunsASuiteAndAnswersQuestionsAboutIt) {
   write_open_suite();
   const Answer run = voronaut("run open.yaml --out r --jobs 2");
@@ -144,6 +157,10 @@ TEST_F(CommandLine, RunsASuiteAndAnswersQuestionsAboutIt) {
     EXPECT_GT(text_of(path("r") / file).size(), 100U) << file;
   EXPECT_THAT(text_of(path("r/manifest.json")), HasSubstr("\"ompl\": \"1."));
   EXPECT_THAT(voronaut("summary r").out, HasSubstr("RRTConnect"));
+  EXPECT_EQ(voronaut("export r --format ompl-log").out, "r/export.log\n");
+  EXPECT_THAT(text_of(path("r/export.log")), HasSubstr("Experiment open\n"));
+  EXPECT_EQ(voronaut("export r --format csv -o all.csv").out, "all.csv\n");
+  EXPECT_EQ(text_of(path("all.csv")), text_of(path("r/results.csv")));
   EXPECT_THAT(voronaut("summary r --json").out, StartsWith("{"));
 
   const std::string digest = voronaut("digest r").out;
