@@ -5,6 +5,8 @@
 
 #include <gmock/gmock.h>
 
+#include "voronaut/dynamics/heading.h"
+
 namespace voronaut::testing {
 namespace {
 
