@@ -47,11 +47,22 @@ TraceFrame frame_at(const ScanEvent& event, const Tick& tick) {
   frame.planning_time_us = event.planning_time_us;
   frame.target_x_m = event.setpoint.p_target_world.x();
   frame.target_y_m = event.setpoint.p_target_world.y();
-  frame.mode = event.mode;
   frame.plan = event.plan;
   frame.known_points = event.known_points;
   frame.range_m = event.range_m;
   return frame;
+}
+
+// What a reader of a replay asks: what does it do now? The executive's state, and under way the
+// planner's mode where it has one.
+int shown_mode(const ScanEvent& event, const EpisodeLog& log, std::vector<std::string>& names) {
+  const bool has_mode = event.executive == ExecutiveState::under_way && event.mode >= 0;
+  const std::string name = has_mode ? log.modes[static_cast<std::size_t>(event.mode)]
+                                    : std::string(to_string(event.executive));
+  const auto known = std::find(names.begin(), names.end(), name);
+  if (known != names.end()) return static_cast<int>(known - names.begin());
+  names.push_back(name);
+  return static_cast<int>(names.size()) - 1;
 }
 
 }  // namespace
@@ -63,7 +74,6 @@ Trace trace_of(const TrialSpec& spec, const EpisodeLog& log, const ObstacleSnaps
   trace.clearance_min_m = spec.vehicle.clearance_min_m;
   trace.field_of_view_rad = spec.range_finder.field_of_view_rad;
   trace.max_range_m = spec.range_finder.max_range_m;
-  trace.modes = log.modes;
   for (const Path& plan : log.plans) trace.plans.push_back(vertices(plan));
   for (const Vec2& p : known.points()) trace.known_points.push_back(trace_point(p));
   for (PointId id = 0; id < trace.known_points.size(); ++id) {
@@ -75,6 +85,7 @@ Trace trace_of(const TrialSpec& spec, const EpisodeLog& log, const ObstacleSnaps
   }
   for (const ScanEvent& event : log.scans) {
     trace.frames.push_back(frame_at(event, log.ticks[event.tick]));
+    trace.frames.back().mode = shown_mode(event, log, trace.modes);
   }
   TraceFrame end = frame_at(log.ticks.back());
   end.known_points = trace.known_points.size();
