@@ -21,7 +21,10 @@ namespace fs = std::filesystem;
 
 class Export : public ::testing::Test {
  protected:
-  Export() : folder_(fs::path(testing::TempDir()) / "voronaut_export") {
+  Export()
+      : folder_(fs::path(testing::TempDir()) /
+                (std::string("voronaut_export_") +
+                 testing::UnitTest::GetInstance()->current_test_info()->name())) {
     fs::remove_all(folder_);
     fs::create_directories(folder_);
     ResultStore store = ResultStore::create(folder_ / "results.db");
