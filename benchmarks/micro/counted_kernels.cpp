@@ -62,10 +62,13 @@ class CheckWork : public CountedWork {
   bool prepare() override { return !std::exchange(done_, true); }
   std::size_t run() override {
     const ObstacleSnapshot known = base_.snapshot();
-    for (const Segment& m : motions_) {
-      clear_ += motion_ ? known.swept_disc_is_clear(m.a, m.b, kRadiusM)
-                        : known.disc_is_clear(m.a, kRadiusM);
+    std::size_t clear = 0;
+    if (motion_) {
+      for (const Segment& m : motions_) clear += known.swept_disc_is_clear(m.a, m.b, kRadiusM);
+    } else {
+      for (const Segment& m : motions_) clear += known.disc_is_clear(m.a, kRadiusM);
     }
+    clear_ = clear;
     return motions_.size();
   }
 

@@ -31,7 +31,7 @@ CellTiles::Slot& CellTiles::make(std::uint32_t x, std::uint32_t y) {
       if (old.key != kNoKey) insert(old);
     }
   }
-  insert({key_of(x, y), 0, 0, kEmpty});
+  insert({key_of(x, y), 0, kEmpty});
   return slots_[static_cast<std::size_t>(&find(x, y) - slots_.data())];
 }
 
@@ -46,22 +46,6 @@ std::uint32_t CellTiles::replace_head(Cell cell, std::uint32_t item) {
   const std::uint64_t bit = std::uint64_t{1} << bit_of(cell);
   slot.occupied = item == kEmpty ? slot.occupied & ~bit : slot.occupied | bit;
   return std::exchange(heads_[slot.tile][bit_of(cell)], item);
-}
-
-void CellTiles::mark_near(Cell cell) {
-  using namespace tile_masks;
-  const Cell low{cell.x - kNearCells, cell.y - kNearCells};
-  const Cell high{cell.x + kNearCells, cell.y + kNearCells};
-  for (std::uint32_t y = low.y >> 3; y <= high.y >> 3; ++y) {
-    for (std::uint32_t x = low.x >> 3; x <= high.x >> 3; ++x) {
-      std::uint64_t marks = kAll;
-      if (y == low.y >> 3) marks &= kRowsFrom[low.y & 7];
-      if (y == high.y >> 3) marks &= kRowsUpTo[high.y & 7];
-      if (x == low.x >> 3) marks &= kColumnsFrom[low.x & 7];
-      if (x == high.x >> 3) marks &= kColumnsUpTo[high.x & 7];
-      find_or_make(x, y).near_marked |= marks;
-    }
-  }
 }
 
 }  // namespace voronaut

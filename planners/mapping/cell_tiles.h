@@ -42,17 +42,20 @@ struct Cell {
 // An unbounded grid that stores one number per occupied cell (the first item of a chain that the
 // owner keeps) in tiles of 8 x 8 cells with a bit per cell: asking a box costs one hash look-up per
 // tile it overlaps, empty cells nothing. Memory: 256 bytes per 8 x 8 cells that ever
-// were occupied in part, and 64 to 128 for each of them that was marked.
+// were occupied in part, and 48 to 96 for each such tile's slot.
 class CellTiles {
  public:
   static constexpr std::uint32_t kEmpty = 0xffff'ffff;
   static constexpr double kLargestCellIndex = 1 << 29;
+  // A cell may be wider than cell_m by this share, by rounding at the largest index.
+  static constexpr double kWidthMargin = 1 + 1e-6;
 
   explicit CellTiles(double cell_m);
 
   double cell_m() const { return cell_m_; }
 
-  // Monotone in both coordinates, which is all that boxes need. |x|, |y| < kLargestCellIndex cells.
+  // Cell i lies around i * cell_m. Monotone in both coordinates, which is all that boxes need, for
+  // |x|, |y| < kLargestCellIndex cells; any cell for other numbers and NaN.
   Cell cell_of(double x, double y) const { return {index_of(x), index_of(y)}; }
 
   // Makes `item` the number of its cell and returns the one it replaces, kEmpty if there was none.
@@ -85,11 +88,19 @@ class CellTiles {
     return false;
   }
 
-  // Marks a cell and all within kNearCells of it, in both directions.
-  static constexpr std::uint32_t kNearCells = 2;
-  void mark_near(Cell cell);
-  bool is_near_marked(Cell cell) const {
-    return (find(cell.x >> 3, cell.y >> 3).near_marked >> bit_of(cell) & 1) != 0;
+  std::size_t tiles() const { return tiles_; }
+
+  // Calls visit(cell) for every occupied cell. O(tiles).
+  template <class Visit>
+  void for_each_occupied(const Visit& visit) const {
+    for (const Slot& slot : slots_) {
+      const auto tile_x = static_cast<std::uint32_t>(slot.key >> 32);
+      const auto tile_y = static_cast<std::uint32_t>(slot.key);
+      for (std::uint64_t cells = slot.occupied; cells != 0; cells &= cells - 1) {
+        const auto bit = static_cast<std::uint32_t>(std::countr_zero(cells));
+        visit(Cell{8 * tile_x + bit % 8, 8 * tile_y + bit / 8});
+      }
+    }
   }
 
  private:
@@ -97,17 +108,19 @@ class CellTiles {
   struct Slot {
     std::uint64_t key = kNoKey;
     std::uint64_t occupied = 0;  // bit 8 * (y mod 8) + (x mod 8)
-    std::uint64_t near_marked = 0;
-    std::uint64_t tile = 0;  // index into heads_
+    std::uint64_t tile = 0;      // index into heads_
   };
 
   static std::uint32_t bit_of(Cell cell) { return 8 * (cell.y & 7) + (cell.x & 7); }
   static std::uint64_t key_of(std::uint32_t x, std::uint32_t y) {
     return std::uint64_t{x} << 32 | y;
   }
+  // Next to 2^52 a double is an integer, and its low bits are that integer's: one addition rounds,
+  // biases by 2^31 and converts.
   std::uint32_t index_of(double coordinate_m) const {
+    constexpr double kBias = 0x1p52 + 0x1p31;
     return static_cast<std::uint32_t>(
-        static_cast<std::int64_t>(coordinate_m * cells_per_m_ + kLargestCellIndex));
+        std::bit_cast<std::uint64_t>(coordinate_m * cells_per_m_ + kBias));
   }
   std::size_t first_slot(std::uint64_t key) const {
     return static_cast<std::size_t>((key * 0x9e37'79b9'7f4a'7c15) >> shift_);

@@ -55,11 +55,11 @@ std::optional<PointId> ObstacleSnapshot::nearest(const Vec2& p, double within_m)
 }
 
 bool ObstacleSnapshot::disc_is_clear(const Vec2& p, double radius_m) const {
-  return base_ == nullptr || !base_->points_.any_closer_than(p, radius_m);
+  return base_ == nullptr || base_->points_.is_clear(p, radius_m);
 }
 
 bool ObstacleSnapshot::swept_disc_is_clear(const Vec2& a, const Vec2& b, double radius_m) const {
-  return base_ == nullptr || !base_->points_.any_closer_than(a, b, radius_m);
+  return base_ == nullptr || base_->points_.is_clear(a, b, radius_m);
 }
 
 double ObstacleSnapshot::segment_clearance_m(const Vec2& a, const Vec2& b, double within_m) const {

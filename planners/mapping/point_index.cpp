@@ -16,7 +16,10 @@ constexpr double kSmallestCellM = 0.21;
 constexpr double kSpacingsPerCell = 2;
 
 // Boxes are grown by this share more than asked, so that rounding cannot lose a point on the rim.
-constexpr double kRoundingMargin = 1 + 1e-9;
+constexpr double kRoundingMargin = 1 + 1e-6;
+
+// Of the filter: as many as keep it from being marked where nothing is.
+constexpr std::size_t kWordsPerTile = 8;
 
 // Where the start of the first search for the nearest point reaches.
 constexpr double kFirstReachCells = 1;
@@ -56,7 +59,7 @@ class SegmentDistance {
 
 PointIndex::PointIndex(double spacing_m)
     : cells_(std::max(kSmallestCellM, kSpacingsPerCell * spacing_m)),
-      marked_reach_m_(CellTiles::kNearCells * cells_.cell_m() / kRoundingMargin),
+      marked_reach_m_(NearFilter::kNearCells * cells_.cell_m() / CellTiles::kWidthMargin),
       bounds_{Vec2::Constant(std::numeric_limits<double>::infinity()),
               Vec2::Constant(-std::numeric_limits<double>::infinity())} {}
 
@@ -66,11 +69,27 @@ PointId PointIndex::add(const Vec2& p) {
   const auto id = static_cast<PointId>(points_.size());
   const Cell cell = cells_.cell_of(p.x(), p.y());
   const PointId next = cells_.replace_head(cell, id);
-  if (next == kNone) cells_.mark_near(cell);
+  if (next == kNone) mark_occupied(cell);
   points_.push_back(p);
   next_in_cell_.push_back(next);
   grow_to_hold(bounds_, p);
   return id;
+}
+
+void PointIndex::mark_occupied(Cell cell) {
+  if (near_.words() >= kWordsPerTile * cells_.tiles()) {
+    near_.mark_around(cell);
+  } else {
+    near_.start_over_larger();
+    cells_.for_each_occupied([&](Cell occupied) { near_.mark_around(occupied); });
+  }
+}
+
+PointIndex::Reach PointIndex::close_reach(const Vec2& a, const Vec2& b, double distance_m) const {
+  const double margin_m = distance_m * kRoundingMargin;
+  return {cells_.cell_of(std::min(a.x(), b.x()) - margin_m, std::min(a.y(), b.y()) - margin_m),
+          cells_.cell_of(std::max(a.x(), b.x()) + margin_m, std::max(a.y(), b.y()) + margin_m),
+          false};
 }
 
 PointIndex::Reach PointIndex::reach(const Vec2& a, const Vec2& b, double distance_m) const {
@@ -128,17 +147,19 @@ PointId PointIndex::nearest(const Vec2& p, double within_m) const {
   return nearest_in(reach(p, p, within_m), p, limit_sq);
 }
 
-bool PointIndex::any_in_reach(const Vec2& p, double distance_m) const {
+bool PointIndex::is_clear_in_reach(const Vec2& p, double distance_m) const {
   const double distance_sq = distance_m * distance_m;
-  return any_point(reach(p, p, distance_m),
-                   [&](PointId id) { return voronaut::distance_sq(points_[id], p) < distance_sq; });
+  const Reach within =
+      distance_m <= marked_reach_m_ ? close_reach(p, p, distance_m) : reach(p, p, distance_m);
+  return !any_point(
+      within, [&](PointId id) { return voronaut::distance_sq(points_[id], p) < distance_sq; });
 }
 
-bool PointIndex::any_closer_than(const Vec2& a, const Vec2& b, double distance_m) const {
+bool PointIndex::is_clear(const Vec2& a, const Vec2& b, double distance_m) const {
   const SegmentDistance to_segment(a, b);
   const double distance_sq = distance_m * distance_m;
-  return any_point(reach(a, b, distance_m),
-                   [&](PointId id) { return to_segment.closer_than(points_[id], distance_sq); });
+  return !any_point(reach(a, b, distance_m),
+                    [&](PointId id) { return to_segment.closer_than(points_[id], distance_sq); });
 }
 
 double PointIndex::distance_sq(const Vec2& a, const Vec2& b, double within_m) const {

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "voronaut/planners/mapping/cell_tiles.h"
+#include "voronaut/planners/mapping/near_filter.h"
 #include "voronaut/planners/mapping/scan_cluster.h"
 
 namespace voronaut {
@@ -35,17 +36,15 @@ class PointIndex {
   // The same for distances up to infinity (not farther than within_m): looks around p first.
   PointId nearest(const Vec2& p, double within_m) const;
 
-  bool any_closer_than(const Vec2& p, double distance_m) const {
-    // Most of the plane is told by one bit.
-    if (distance_m <= marked_reach_m_ &&
-        !(std::abs(p.x()) + std::abs(p.y()) < kLargestCoordinateM &&
-          cells_.is_near_marked(cells_.cell_of(p.x(), p.y())))) {
-      return false;
+  // True if no point is closer than distance_m to p, or to the segment a-b: what a disc there, or
+  // swept along it, would touch. Most of the plane is told by one bit.
+  bool is_clear(const Vec2& p, double distance_m) const {
+    if (distance_m <= marked_reach_m_ && !near_.may_be_near(cells_.cell_of(p.x(), p.y()))) {
+      return true;
     }
-    return any_in_reach(p, distance_m);
+    return is_clear_in_reach(p, distance_m);
   }
-  // To the segment a-b: what a disc swept along it would touch.
-  bool any_closer_than(const Vec2& a, const Vec2& b, double distance_m) const;
+  bool is_clear(const Vec2& a, const Vec2& b, double distance_m) const;
   // Square of the smallest distance from the segment a-b to a point, at most within_m squared.
   double distance_sq(const Vec2& a, const Vec2& b, double within_m) const;
 
@@ -57,8 +56,11 @@ class PointIndex {
   };
   // The cells of the box around a-b grown by distance_m, as far as there are points at all.
   Reach reach(const Vec2& a, const Vec2& b, double distance_m) const;
+  // The same for distances up to marked_reach_m_, not cut to where there are points.
+  Reach close_reach(const Vec2& a, const Vec2& b, double distance_m) const;
 
-  bool any_in_reach(const Vec2& p, double distance_m) const;
+  void mark_occupied(Cell cell);
+  bool is_clear_in_reach(const Vec2& p, double distance_m) const;
   bool reaches_all_points(const Vec2& p, double distance_m) const;
   PointId nearest_in(const Reach& within, const Vec2& p, double limit_sq) const;
 
@@ -66,7 +68,8 @@ class PointIndex {
   bool any_point(const Reach& within, const Visit& visit) const;
 
   CellTiles cells_;
-  // Up to this distance a place whose cell is not marked near has no point.
+  NearFilter near_;
+  // Up to this distance a place whose cell is not near has no point.
   double marked_reach_m_;
   Bounds bounds_;  // of all points
   std::vector<Vec2> points_;

@@ -66,9 +66,9 @@ TEST(PointIndex, FindsWhatASearchThroughAllPointsFinds) {
       const PointId nearest = nearest_of_all(index, a, reach_m);
       ASSERT_EQ(index.nearest(a, reach_m), nearest);
       ASSERT_EQ(index.nearest_closer_than(a, reach_m), nearest);
-      ASSERT_EQ(index.any_closer_than(a, reach_m), nearest != PointIndex::kNone);
+      ASSERT_EQ(index.is_clear(a, reach_m), nearest == PointIndex::kNone);
       const double distance_m = distance_of_all(index, {a, b}, reach_m);
-      ASSERT_EQ(index.any_closer_than(a, b, reach_m), distance_m < reach_m);
+      ASSERT_EQ(index.is_clear(a, b, reach_m), !(distance_m < reach_m));
       ASSERT_NEAR(std::sqrt(index.distance_sq(a, b, reach_m)), distance_m, 1e-9);
       found += nearest != PointIndex::kNone;
       hit += distance_m < reach_m;
@@ -85,19 +85,19 @@ TEST(PointIndex, ReachesToInfinity) {
     const Vec2 far = random_place(random, 1e6);
     EXPECT_EQ(index.nearest(far, kInfinity), nearest_of_all(index, far, kInfinity));
     EXPECT_EQ(index.nearest(far, 0.1), PointIndex::kNone);
-    EXPECT_FALSE(index.any_closer_than(far, 0.4) && index.nearest(far, 0.4) == PointIndex::kNone);
+    EXPECT_EQ(index.is_clear(far, 0.4), index.nearest(far, 0.4) == PointIndex::kNone);
   }
 }
 
 TEST(PointIndex, DoesNotCountAPointAtExactlyTheDistance) {
   PointIndex index(0.1);
   index.add({1, 2});
-  EXPECT_FALSE(index.any_closer_than({1, 2.5}, 0.5));
-  EXPECT_TRUE(index.any_closer_than({1, 2.5}, std::nextafter(0.5, 1)));
+  EXPECT_TRUE(index.is_clear({1, 2.5}, 0.5));
+  EXPECT_FALSE(index.is_clear({1, 2.5}, std::nextafter(0.5, 1)));
   EXPECT_EQ(index.nearest_closer_than({1, 2.5}, 0.5), PointIndex::kNone);
   EXPECT_EQ(index.nearest({1, 2.5}, 0.5), PointId{0});
-  EXPECT_FALSE(index.any_closer_than({0, 2.5}, {3, 2.5}, 0.5));
-  EXPECT_TRUE(index.any_closer_than({0, 2.5}, {3, 2.5}, std::nextafter(0.5, 1)));
+  EXPECT_TRUE(index.is_clear({0, 2.5}, {3, 2.5}, 0.5));
+  EXPECT_FALSE(index.is_clear({0, 2.5}, {3, 2.5}, std::nextafter(0.5, 1)));
 }
 
 TEST(PointIndex, PrefersTheEarliestOfEquallyNearPoints) {
@@ -111,8 +111,8 @@ TEST(PointIndex, PrefersTheEarliestOfEquallyNearPoints) {
 
 TEST(PointIndex, AnEmptyOneIsClearEverywhere) {
   const PointIndex index(0.1);
-  EXPECT_FALSE(index.any_closer_than({0, 0}, 100));
-  EXPECT_FALSE(index.any_closer_than({0, 0}, {1e6, 3}, kInfinity));
+  EXPECT_TRUE(index.is_clear({0, 0}, 100));
+  EXPECT_TRUE(index.is_clear({0, 0}, {1e6, 3}, kInfinity));
   EXPECT_EQ(index.nearest({0, 0}, kInfinity), PointIndex::kNone);
 }
 
