@@ -107,16 +107,16 @@ std::function<std::unique_ptr<CountedWork>()> making(Arguments... arguments) {
 
 const std::vector<CountedKernel>& counted_kernels() {
   static const std::vector<CountedKernel> kernels{
-      {"mapping_181", "scan of 181 rays", 8'800, 6'000, making<MappingWork>(181U, 0U, false)},
+      {"mapping_181", "scan of 181 rays", 8'950, 6'000, making<MappingWork>(181U, 0U, false)},
       {"mapping_720", "scan of 720 rays", 18'000, 18'000, making<MappingWork>(720U, 0U, false)},
       {"mapping_181_after_10k", "scan of 181 rays", 9'900, 6'000,
        making<MappingWork>(181U, 10'000U, false)},
       {"mapping_181_known", "scan of 181 rays", 6'500, 6'000, making<MappingWork>(181U, 0U, true)},
       {"mapping_181_after_100k", "scan of 181 rays", 9'100, 6'000,
        making<MappingWork>(181U, 100'000U, false), true},
-      {"state_check", "disc of 0.3 m", 96, 60, making<CheckWork>(1'000U, false)},
-      {"motion_check", "disc of 0.3 m swept 2 m", 345, 260, making<CheckWork>(1'000U, true)},
-      {"motion_check_after_10k", "disc of 0.3 m swept 2 m", 357, 260,
+      {"state_check", "disc of 0.3 m", 74, 60, making<CheckWork>(1'000U, false)},
+      {"motion_check", "disc of 0.3 m swept 2 m", 362, 260, making<CheckWork>(1'000U, true)},
+      {"motion_check_after_10k", "disc of 0.3 m swept 2 m", 369, 260,
        making<CheckWork>(10'000U, true)},
       {"sensing_720", "ray, forest scan", 50, 50, making<SensingWork>(720U)},
   };

@@ -42,7 +42,7 @@ struct Cell {
 // An unbounded grid that stores one number per occupied cell (the first item of a chain that the
 // owner keeps) in tiles of 8 x 8 cells with a bit per cell: asking a box costs one hash look-up per
 // tile it overlaps, empty cells nothing. Memory: 256 bytes per 8 x 8 cells that ever
-// were occupied in part, and 48 to 96 for each such tile's slot.
+// were occupied in part, and 64 to 128 for its slot.
 class CellTiles {
  public:
   static constexpr std::uint32_t kEmpty = 0xffff'ffff;
@@ -105,7 +105,7 @@ class CellTiles {
 
  private:
   static constexpr std::uint64_t kNoKey = ~std::uint64_t{0};  // no tile has this one
-  struct Slot {
+  struct alignas(32) Slot {
     std::uint64_t key = kNoKey;
     std::uint64_t occupied = 0;  // bit 8 * (y mod 8) + (x mod 8)
     std::uint64_t tile = 0;      // index into heads_

@@ -30,7 +30,7 @@ class NearFilter {
   }
 
  private:
-  static constexpr int kFirstWordsLog2 = 10;
+  static constexpr int kFirstWordsLog2 = 11;
 
   std::size_t word_of(std::uint32_t tile_x, std::uint32_t tile_y) const {
     return (tile_x * 0x9e37'79b1U + tile_y * 0x85eb'ca77U) >> shift_;

@@ -19,7 +19,7 @@ constexpr double kSpacingsPerCell = 2;
 constexpr double kRoundingMargin = 1 + 1e-6;
 
 // Of the filter: as many as keep it from being marked where nothing is.
-constexpr std::size_t kWordsPerTile = 8;
+constexpr std::size_t kWordsPerTile = 5;
 
 // Where the start of the first search for the nearest point reaches.
 constexpr double kFirstReachCells = 1;
