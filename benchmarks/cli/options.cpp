@@ -77,7 +77,10 @@ struct Commands {
 
   void add_report(CLI::App& app) {
     report_command = add_command(app, "report", "Write what a run says about its planners");
-    add_folder(report_command, report.folder);
+    report_command
+        ->add_option("DIR", report.folder, "Folder of results, or a JSON file of voronaut-micro")
+        ->required();
+    add_data(report_command, report.data);
     report_command->add_option("-o,--output", report.out,
                                "File [html: report.html in DIR; else the terminal]");
     report_command->add_option("--compare", report.compare,

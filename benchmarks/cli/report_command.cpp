@@ -1,9 +1,13 @@
+#include <filesystem>
 #include <ostream>
 #include <stdexcept>
 
 #include "voronaut/benchmarks/cli/commands.h"
+#include "voronaut/benchmarks/micro/mapped_logs.h"
 #include "voronaut/benchmarks/results/output_folder.h"
+#include "voronaut/environments/scenario.h"
 #include "voronaut/reports/page/html_report.h"
+#include "voronaut/reports/page/mapping_report.h"
 #include "voronaut/reports/store/atomic_file.h"
 #include "voronaut/reports/store/csv_writer.h"
 #include "voronaut/reports/summary/summary_text.h"
@@ -27,9 +31,23 @@ void write(const ReportOptions& options, const CommandContext& context, const st
   context.out << options.out << "\n";
 }
 
+// What voronaut-micro printed as JSON, with the recorded lidar that is at hand.
+ExitCode report_mapping(const ReportOptions& options, const CommandContext& context) {
+  if (options.format != "html" || !options.compare.empty())
+    throw std::invalid_argument(options.folder + ": of microbenchmarks only html is written");
+  const std::string data = DataLocation::find(options.data).folder;
+  const std::filesystem::path page =
+      options.out.empty() ? std::filesystem::path(options.folder).replace_extension(".html")
+                          : std::filesystem::path(options.out);
+  write_mapping_report(options.folder, micro::map_logs(data), page);
+  context.out << page.string() << "\n";
+  return ExitCode::success;
+}
+
 }  // namespace
 
 ExitCode execute(const ReportOptions& options, const CommandContext& context) {
+  if (std::filesystem::is_regular_file(options.folder)) return report_mapping(options, context);
   const OutputFolder folder = OutputFolder::open(options.folder);
   if (options.format == "csv" && !options.compare.empty())
     throw std::invalid_argument("--compare: goes with --format html or md, not csv");

@@ -7,6 +7,7 @@
 #include <benchmark/benchmark.h>
 
 #include "voronaut/benchmarks/micro/carmen_log.h"
+#include "voronaut/benchmarks/micro/mapped_logs.h"
 #include "voronaut/benchmarks/micro/measured_scan.h"
 #include "voronaut/benchmarks/micro/peers/naive_map.h"
 #include "voronaut/benchmarks/micro/peers/occupancy_grid.h"
@@ -138,14 +139,13 @@ void register_maps() {
 }
 
 void register_lidar(const std::string& data) {
-  for (const std::string name :
-       {"intel", "csail", "orebro", "seattle", "fhw", "infinite-corridor"}) {
-    const std::string path = data + "/lidar/" + name + "-corrected.log.gz";
+  for (const std::string& name : lidar_names()) {
+    const std::string path = lidar_path(data, name);
     const auto run = [path](benchmark::State& state) {
-      constexpr double kRangeM = 20;
       std::vector<MeasuredScan> scans;
       try {
-        for (const Scan& scan : read_carmen_log(path, kRangeM)) scans.push_back(measured(scan));
+        for (const Scan& scan : read_carmen_log(path, kLidarRangeM))
+          scans.push_back(measured(scan));
       } catch (const std::exception& error) {
         state.SkipWithError(error.what());
         return;

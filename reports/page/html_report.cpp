@@ -70,15 +70,18 @@ ReportInput read_report_input(const ResultStore& store, std::string title,
   return input;
 }
 
-std::string html_report(const ReportInput& input) {
+std::string page_with(const std::string& title, const std::string& data_json) {
   const WebAssets assets = web_assets();
-  return replace_markers(assets.template_html,
-                         {{"title", escaped_for_html(input.title)},
-                          {"style_hash", std::string(assets.style_hash)},
-                          {"script_hash", std::string(assets.script_hash)},
-                          {"style", std::string(assets.style_css)},
-                          {"script", std::string(assets.script_js)},
-                          {"data", escaped_for_script(report_data_json(input))}});
+  return replace_markers(assets.template_html, {{"title", escaped_for_html(title)},
+                                                {"style_hash", std::string(assets.style_hash)},
+                                                {"script_hash", std::string(assets.script_hash)},
+                                                {"style", std::string(assets.style_css)},
+                                                {"script", std::string(assets.script_js)},
+                                                {"data", escaped_for_script(data_json)}});
+}
+
+std::string html_report(const ReportInput& input) {
+  return page_with(input.title, report_data_json(input));
 }
 
 void write_html_report(const ReportInput& input, const std::filesystem::path& file) {

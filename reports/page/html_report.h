@@ -42,6 +42,8 @@ ReportInput read_report_input(const ResultStore& store, std::string title,
 std::vector<std::string> order_of_replays(const std::vector<RunRecord>& records);
 
 std::string html_report(const ReportInput& input);
+// The page that draws other data; what it looks like is decided in web/main.ts.
+std::string page_with(const std::string& title, const std::string& data_json);
 
 // Written to a temporary file beside it and renamed: there is never half a report. Throws
 // std::runtime_error naming the file.

@@ -6,6 +6,7 @@ import { failuresSection } from "./failures";
 import { figure9Section, hasFigure9 } from "./figure9";
 import { filterBar } from "./filter_bar";
 import { pageOf } from "./links";
+import { buildMappingPage } from "./mapping";
 import { overview } from "./overview";
 import { Palette } from "./palette";
 import { manifestEntries, provenanceSection } from "./provenance";
@@ -116,7 +117,10 @@ function start(): void {
   startTooltips();
   const root = document.getElementById("page") as HTMLElement;
   try {
-    build(readReport(document.getElementById("report-data")?.textContent ?? ""), root);
+    const text = document.getElementById("report-data")?.textContent ?? "";
+    const data = JSON.parse(text);
+    if (data.micro) buildMappingPage(root, data);
+    else build(readReport(text), root);
     document.documentElement.dataset.ready = "yes";
     document.documentElement.dataset.drawnMs = performance.now().toFixed(0);
   } catch (error) {
