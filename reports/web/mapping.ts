@@ -80,7 +80,7 @@ function growthSection(costs: Cost[]): HTMLElement {
     `${map} ${fixed(exponentOf(costs.filter((c) => c.map === map)), 2)}`).join(", ");
   return linesOf("growth", "Does a scan cost more when more is known?", "scans of other ground known before",
     costs, `Exponent of the cost in the scans known (0 is flat, 1 grows with the map): ${exponents}. ` +
-    "The same scans of new ground every time.");
+    "The same scans of new ground every time. Times rise when caches are cold; voronaut-micro-check counts instructions.");
 }
 
 function logSection(logs: MappedLog[], costs: Cost[]): HTMLElement {
@@ -104,8 +104,8 @@ export function drawMapping(container: HTMLElement, results: MappingResults): vo
   const fact = (name: string, value: unknown): HTMLElement | null =>
     value === undefined ? null : el("span", {}, `${name} `, el("b", {}, el("bdi", {}, String(value))));
   container.replaceChildren(
-    el("div", { class: "facts" }, fact("date", machine.date), fact("cores", machine.num_cpus),
-      fact("MHz", machine.mhz_per_cpu), fact("library built as", machine.library_build_type)),
+    el("header", {}, el("div", { class: "facts" }, fact("date", machine.date), fact("cores", machine.num_cpus),
+      fact("MHz", machine.mhz_per_cpu), fact("Google Benchmark built as", machine.library_build_type))),
     forest.length === 0 ? el("p", {}, "No entries mapping/forest/... in the file.") :
       el("section", { id: "cost", "aria-label": "Cost of a scan" },
         el("h2", {}, "What one scan costs"),
