@@ -67,7 +67,14 @@ struct RunRecord {
   double end_y_m = kAbsent;
   std::int64_t replans = 0;
   std::int64_t state_checks = 0;
-  std::int64_t budget_stops = 0;  // solves that ended because the budget was spent
+  std::int64_t budget_stops =
+      0;  // solves that ended because the budget was spent, by the limit met:
+  std::int64_t stops_state_checks = 0;
+  std::int64_t stops_ptc_evaluations = 0;
+  std::int64_t stops_iterations = 0;
+  std::int64_t stops_wall_clock = 0;
+  std::int64_t stops_first_solution =
+      0;  // anytime planners told to stop there; others by themselves
   std::int64_t map_points = 0;
   std::int64_t map_obstacles = 0;
   std::string modes;         // modes or executive states in the order of first use
@@ -125,6 +132,11 @@ struct RunRecord {
     v("replans", self.replans, d);
     v("state_checks", self.state_checks, d);
     v("budget_stops", self.budget_stops, d);
+    v("stops_state_checks", self.stops_state_checks, d);
+    v("stops_ptc_evaluations", self.stops_ptc_evaluations, d);
+    v("stops_iterations", self.stops_iterations, d);
+    v("stops_wall_clock", self.stops_wall_clock, d);
+    v("stops_first_solution", self.stops_first_solution, d);
     v("map_points", self.map_points, d);
     v("map_obstacles", self.map_obstacles, d);
     v("modes", self.modes, d);

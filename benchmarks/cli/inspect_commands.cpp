@@ -3,12 +3,15 @@
 #include <ostream>
 
 #include "voronaut/benchmarks/cli/commands.h"
+#include "voronaut/benchmarks/runner/child_process.h"
 #include "voronaut/benchmarks/suite/shipped_files.h"
 #include "voronaut/benchmarks/suite/suite_config.h"
 #include "voronaut/benchmarks/suite/suite_trials.h"
 #include "voronaut/environments/formats/data_sets.h"
 #include "voronaut/environments/formats/foreign_formats.h"
 #include "voronaut/environments/generators/world_generators.h"
+#include "voronaut/planners/problem/problem.h"
+#include "voronaut/reports/summary/text_table.h"
 
 namespace voronaut {
 
@@ -45,13 +48,52 @@ Rows scenario_rows() {
   return rows;
 }
 
-Rows rows_of(const std::string& what, const PlannerCatalog& planners) {
+std::string_view to_text(Reproducible reproducible) {
+  switch (reproducible) {
+    case Reproducible::unknown:
+      return "unknown";
+    case Reproducible::no:
+      return "no";
+    case Reproducible::one_machine:
+      return "one machine";
+    case Reproducible::everywhere:
+      break;
+  }
+  return "yes";
+}
+
+// In a process of its own: a plugin's planner may fail as soon as it is made.
+std::string is_anytime(const PlannerEntry& entry) {
+  const ChildReport report = run_in_child(
+      [&]() -> std::string {
+        PlanningProblem problem({.bounds_world = {Vec2(-1, -1), Vec2(1, 1)}});
+        return entry.make(problem.space_information())->getSpecs().optimizingPaths ? "yes" : "no";
+      },
+      {.memory_mb = 1024, .cpu_s = 10, .wall_s = 20});
+  return report.end == ChildReport::End::finished ? report.output : "fails";
+}
+
+// `reproducible`: the same seed and counted budget give the same bits. `anytime`: improves what it
+// has until its budget is spent, unless the suite says `stop: first`.
+TextTable planner_table(const PlannerCatalog& planners) {
+  using Align = TextTable::Align;
+  TextTable table{{{"planner", Align::left},
+                   {"reproducible", Align::left},
+                   {"anytime", Align::left},
+                   {"plans", Align::left},
+                   {"what it is", Align::left}},
+                  {}};
+  for (const PlannerEntry* entry : planners.entries()) {
+    table.rows.push_back(
+        {entry->name, std::string(to_text(entry->traits.reproducible)), is_anytime(*entry),
+         entry->traits.plans_on_every_scan ? "every scan" : "when needed", entry->summary});
+  }
+  return table;
+}
+
+Rows rows_of(const std::string& what) {
   Rows rows;
-  if (what == "planners") {
-    for (const PlannerEntry* entry : planners.entries())
-      rows.emplace_back(entry->name,
-                        entry->summary + (entry->traits.reproducible ? "" : " (not reproducible)"));
-  } else if (what == "vehicles") {
+  if (what == "vehicles") {
     rows = vehicle_rows();
   } else if (what == "regulators") {
     for (const std::string& name : regulator_names()) rows.emplace_back(name, "");
@@ -76,7 +118,11 @@ void check_suite(const ConfigNode& root, const CheckOptions& options,
 }  // namespace
 
 ExitCode execute(const ListOptions& options, const CommandContext& context) {
-  const Rows rows = rows_of(options.what, context.planners);
+  if (options.what == "planners") {
+    context.out << planner_table(context.planners).aligned();
+    return ExitCode::success;
+  }
+  const Rows rows = rows_of(options.what);
   std::size_t width = 0;
   for (const auto& [name, summary] : rows) width = std::max(width, name.size());
   for (const auto& [name, summary] : rows) {

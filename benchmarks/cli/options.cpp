@@ -29,6 +29,12 @@ void add_data(CLI::App* command, std::string& data) {
   command->add_option("--data", data, "Folder of foreign data sets (else VORONAUT_DATA)");
 }
 
+void add_plugins(CLI::App* command, std::vector<std::string>& plugins) {
+  command->add_option("--plugin", plugins, "Shared library with planners; may be given again")
+      ->expected(1)
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+}
+
 // Reads into `options` what belongs to each command; the command that was given says which holds.
 struct Commands {
   explicit Commands(CLI::App& app) {
@@ -40,9 +46,11 @@ struct Commands {
     list_command->add_option("WHAT", list.what)
         ->required()
         ->check(CLI::IsMember({"planners", "vehicles", "regulators", "scenarios", "suites"}));
+    add_plugins(list_command, list.plugins);
     check_command = add_command(app, "check", "Validate a suite or scenario without running it");
     check_command->add_option("FILE", check.file, "Suite or scenario file")->required();
     add_data(check_command, check.data);
+    add_plugins(check_command, check.plugins);
     add_replay(app);
     digest_command = add_command(app, "digest", "Print a hash of every deterministic result");
     add_folder(digest_command, digest.folder);
@@ -66,6 +74,7 @@ struct Commands {
     run_command->add_option("--jobs", run.jobs, "Trials at once [all cores but one]")
         ->check(CLI::Range(1, 1024));
     add_data(run_command, run.data);
+    add_plugins(run_command, run.plugins);
   }
 
   void add_replay(CLI::App& app) {
@@ -73,6 +82,7 @@ struct Commands {
                                  "Fly a stored trial again: is the result the same, bit for bit?");
     add_folder(replay_command, replay.folder);
     replay_command->add_option("TRIAL_ID", replay.trial_id, "Or the beginning of it")->required();
+    add_plugins(replay_command, replay.plugins);
   }
 
   void add_report(CLI::App& app) {

@@ -19,6 +19,7 @@ struct RunOptions {
   std::string repetitions;
   std::size_t jobs = 0;  // 0: all cores but one
   std::string data;
+  std::vector<std::string> plugins;  // shared libraries with planners
 };
 
 struct SummaryOptions {
@@ -28,16 +29,19 @@ struct SummaryOptions {
 
 struct ListOptions {
   std::string what;
+  std::vector<std::string> plugins;
 };
 
 struct CheckOptions {
   std::string file;
   std::string data;
+  std::vector<std::string> plugins;
 };
 
 struct ReplayOptions {
   std::string folder;
   std::string trial_id;  // or the beginning of one
+  std::vector<std::string> plugins;
 };
 
 struct DigestOptions {

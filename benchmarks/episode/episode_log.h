@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <chrono>
 #include <cstdint>
 #include <string>
@@ -10,6 +11,7 @@
 #include "voronaut/dynamics/state.h"
 #include "voronaut/planners/navigation/recovery.h"
 #include "voronaut/planners/navigation/replan_policy.h"
+#include "voronaut/planners/problem/planning_budget.h"
 
 // What happened in an episode, tick by tick: the only source of metrics and traces.
 namespace voronaut {
@@ -66,7 +68,7 @@ struct EpisodeLog {
   std::vector<Path> plans;
   double departure_s = 0;  // when the vehicle had its height and set off
   std::int64_t replans = 0;
-  std::int64_t budget_stops = 0;  // solves that ended because their budget was spent
+  std::array<std::int64_t, kSolveEnds> solve_ends{};  // of the replans, by SolveEnd
   Verdict verdict{Outcome::invalid, ""};
   double end_s = 0;
 

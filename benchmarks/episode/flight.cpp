@@ -123,7 +123,7 @@ void Flight::plan(const VehicleState& state, double now_s) {
 
   Plan plan = ask_for_plan(*planner, planner_traits, problem, spec.budget);
   ++log.replans;
-  if (!problem.budget_stop().empty()) ++log.budget_stops;
+  ++log.solve_ends[static_cast<std::size_t>(plan.end)];
   event.mode = index_of(log.modes, plan.mode);
   adopt(std::move(plan), now_s);
 }

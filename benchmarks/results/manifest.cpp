@@ -2,6 +2,7 @@
 
 #include "voronaut/benchmarks/results/build_info.h"
 #include "voronaut/benchmarks/results/sha256.h"
+#include "voronaut/benchmarks/suite/budget_config.h"
 #include "voronaut/benchmarks/suite/config_json.h"
 
 namespace voronaut {
@@ -58,9 +59,7 @@ Json defining_json(const SuiteConfig& suite) {
           {"mapping", config_json(suite.mapping)},
           {"navigation", config_json(suite.navigation)},
           {"loop", config_json(suite.loop)},
-          {"budget",
-           {{"state_checks", suite.budget.state_checks},
-            {"ptc_evaluations", suite.budget.ptc_evaluations}}}};
+          {"budget", pairs_json(budget_entries(suite.budget))}};
 }
 
 Json full_json(const SuiteConfig& suite) {

@@ -5,6 +5,7 @@
 #include <map>
 #include <stdexcept>
 
+#include "voronaut/benchmarks/suite/budget_config.h"
 #include "voronaut/environments/config/config_reader.h"
 #include "voronaut/environments/config/nearest_name.h"
 
@@ -17,20 +18,6 @@ constexpr std::int64_t kLargest = std::numeric_limits<std::int64_t>::max();
 template <class Config>
 void read_section(const ConfigNode& root, std::string_view key, Config& config) {
   if (const auto node = root.find(key)) read_into(*node, config);
-}
-
-PlanningBudget read_budget(const ConfigNode& root) {
-  PlanningBudget budget;
-  const auto node = root.find("budget");
-  if (!node) return budget;
-  node->allow_only({"state_checks", "ptc_evaluations"});
-  const auto read = [&](std::string_view key, std::uint64_t& value) {
-    if (const auto found = node->find(key))
-      value = static_cast<std::uint64_t>(found->whole_number(1, kLargest));
-  };
-  read("state_checks", budget.state_checks);
-  read("ptc_evaluations", budget.ptc_evaluations);
-  return budget;
 }
 
 // A suite's name becomes a folder.
@@ -110,7 +97,7 @@ SuiteConfig read_suite(const ConfigNode& root, const std::string& data_argument,
   read_section(root, "mapping", suite.mapping);
   read_section(root, "navigation", suite.navigation);
   read_section(root, "loop", suite.loop);
-  suite.budget = read_budget(root);
+  if (const auto budget = root.find("budget")) suite.budget = read_budget(*budget);
   read_section(root, "limits", suite.limits);
   if (const auto traces = root.find("traces"))
     suite.traces = static_cast<TraceKeeping>(traces->choice({"all", "failures", "none"}));

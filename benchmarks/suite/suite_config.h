@@ -65,13 +65,14 @@ struct SuiteConfig {
 //              model: {...}, regulator: pd_rate | {name: pd_rate, params: {...}}}]
 //   planners: [RRTConnect, {name: RRTConnect, label: greedy, params: {range: 0.5}}]
 //   range_finder, mapping, navigation, loop: {...}   keys of their Config
-//   budget: {state_checks: 50000, ptc_evaluations: 200000}
+//   budget: {state_checks: 50000, ptc_evaluations: 200000}   see budget_config.h
 //   limits: {memory_mb: 1024, cpu_s: 120, wall_s: 300}
 //   traces: all | failures | none
 //   kind: flown
 //
-// and everything it names. Each planner is made once and given its parameters, each vehicle and
-// regulator is built, so that what is wrong is found here. Throws ConfigError.
+// and everything it names. Each planner is made once, in a process of its own, and given its
+// parameters, each vehicle and regulator is built, so that what is wrong is found here. Throws
+// ConfigError.
 SuiteConfig read_suite(const ConfigNode& root, const std::string& data_argument,
                        const PlannerCatalog& planners);
 

@@ -1,7 +1,10 @@
+#include <map>
+#include <optional>
 #include <stdexcept>
 
 #include <ompl/base/Planner.h>
 
+#include "voronaut/benchmarks/runner/child_process.h"
 #include "voronaut/benchmarks/suite/suite_config.h"
 #include "voronaut/environments/config/config_reader.h"
 #include "voronaut/environments/config/nearest_name.h"
@@ -59,6 +62,35 @@ void read_label(const ConfigNode& entry, std::string& label) {
   if (label.empty()) throw node->error("expected a label, got ''");
 }
 
+using Keys = std::vector<std::string>;
+
+struct Refusal {
+  std::size_t index;  // of the key
+  std::string text;
+};
+
+// Makes the planner and gives it its parameters one by one, in a process of its own: what a planner
+// that throws or aborts does there becomes the outcome of its trials, not the end of the run.
+std::optional<Refusal> try_parameters(const PlannerEntry& entry, const Keys& keys,
+                                      const std::map<std::string, std::string>& params) {
+  const auto work = [&]() -> std::string {
+    PlanningProblem problem({.bounds_world = {Vec2(-1, -1), Vec2(1, 1)}});
+    const auto planner = entry.make(problem.space_information());
+    for (std::size_t i = 0; i < keys.size(); ++i) {
+      try {
+        set_parameters(*planner, {{keys[i], params.at(keys[i])}});
+      } catch (const std::invalid_argument& error) {
+        return std::to_string(i) + " " + error.what();
+      }
+    }
+    return {};
+  };
+  const ChildReport report = run_in_child(work, {.memory_mb = 1024, .cpu_s = 10, .wall_s = 20});
+  if (report.end != ChildReport::End::finished || report.output.empty()) return std::nullopt;
+  const std::size_t blank = report.output.find(' ');
+  return Refusal{std::stoul(report.output.substr(0, blank)), report.output.substr(blank + 1)};
+}
+
 }  // namespace
 
 VehicleEntry read_vehicle(const ConfigNode& entry) {
@@ -96,14 +128,16 @@ PlannerSpec read_planner(const ConfigNode& entry, const PlannerCatalog& planners
   read_label(entry, spec.label);
   const auto params = entry.is_map() ? entry.find("params") : std::nullopt;
 
-  PlanningProblem problem({.bounds_world = {Vec2(-1, -1), Vec2(1, 1)}});
-  const auto planner = planners.find(spec.name)->make(problem.space_information());
-  if (!params) return spec;
-  for (const std::string& key : params->keys()) {
-    const ConfigNode value = params->child(key);
-    spec.params[key] = parameter_text(value);
-    at(value, [&] { set_parameters(*planner, {{key, spec.params[key]}}); });
+  std::vector<ConfigNode> values;
+  if (params) {
+    for (const std::string& key : params->keys()) {
+      values.push_back(params->child(key));
+      spec.params[key] = parameter_text(values.back());
+    }
   }
+  if (const auto refusal =
+          try_parameters(*planners.find(spec.name), params ? params->keys() : Keys{}, spec.params))
+    throw values[refusal->index].error(refusal->text);
   return spec;
 }
 

@@ -44,6 +44,17 @@ void add_metrics(RunRecord& record, const EpisodeLog& log, const Vec2& goal_worl
   record.state_digest = state_digest(log.ticks);
 }
 
+void add_solve_ends(RunRecord& record, const std::array<std::int64_t, kSolveEnds>& ends) {
+  const auto count = [&](SolveEnd end) { return ends[static_cast<std::size_t>(end)]; };
+  record.stops_first_solution = count(SolveEnd::first_solution);
+  record.stops_state_checks = count(SolveEnd::state_checks);
+  record.stops_ptc_evaluations = count(SolveEnd::ptc_evaluations);
+  record.stops_iterations = count(SolveEnd::iterations);
+  record.stops_wall_clock = count(SolveEnd::wall_clock);
+  record.budget_stops = record.stops_state_checks + record.stops_ptc_evaluations +
+                        record.stops_iterations + record.stops_wall_clock;
+}
+
 void add_times(RunRecord& record, const EpisodeLog& log) {
   record.mapping_time_us_mean = mean(log.mapping.samples_us());
   record.mapping_time_us_p99 = percentile(log.mapping.samples_us(), 99);
@@ -89,7 +100,7 @@ TrialResult run_trial(const TrialSpec& spec, const PlannerCatalog& planners, boo
   result.record.replans = log.replans;
   result.record.modes = join(log.modes);
   result.record.state_checks = static_cast<std::int64_t>(flight.problem.state_checks());
-  result.record.budget_stops = log.budget_stops;
+  add_solve_ends(result.record, log.solve_ends);
   result.record.map_points = static_cast<std::int64_t>(flight.map.snapshot().points().size());
   result.record.map_obstacles = static_cast<std::int64_t>(flight.map.snapshot().cluster_count());
   add_metrics(result.record, log, spec.scenario.goal_world);

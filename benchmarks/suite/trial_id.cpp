@@ -3,6 +3,7 @@
 #include <variant>
 
 #include "voronaut/benchmarks/results/sha256.h"
+#include "voronaut/benchmarks/suite/budget_config.h"
 #include "voronaut/environments/config/config_reader.h"
 #include "voronaut/environments/world.h"
 
@@ -24,22 +25,22 @@ std::string section(const std::string& name, const std::variant<Configs...>& con
 
 ConfigEntries task_entries(const TrialSpec& spec) {
   const Scenario& scenario = spec.scenario;
-  return {{"suite", spec.suite},
-          {"scenario", scenario.name},
-          {"group", scenario.group},
-          {"world_id", spec.world_id},
-          {"start_height_m", number_text(scenario.start_height_m)},
-          {"cruise_height_m", number_text(scenario.cruise_height_m)},
-          {"start_heading", point_text(scenario.start_heading)},
-          {"goal_tolerance_m", number_text(scenario.goal_tolerance_m)},
-          {"vehicle", spec.vehicle.name},
-          {"regulator", spec.regulator_name},
-          {"planner", spec.planner.label},
-          {"planner_name", spec.planner.name},
-          {"repetition", std::to_string(spec.repetition)},
-          {"planner_seed", std::to_string(spec.planner_seed)},
-          {"state_checks", std::to_string(spec.budget.state_checks)},
-          {"ptc_evaluations", std::to_string(spec.budget.ptc_evaluations)}};
+  ConfigEntries entries = {{"suite", spec.suite},
+                           {"scenario", scenario.name},
+                           {"group", scenario.group},
+                           {"world_id", spec.world_id},
+                           {"start_height_m", number_text(scenario.start_height_m)},
+                           {"cruise_height_m", number_text(scenario.cruise_height_m)},
+                           {"start_heading", point_text(scenario.start_heading)},
+                           {"goal_tolerance_m", number_text(scenario.goal_tolerance_m)},
+                           {"vehicle", spec.vehicle.name},
+                           {"regulator", spec.regulator_name},
+                           {"planner", spec.planner.label},
+                           {"planner_name", spec.planner.name},
+                           {"repetition", std::to_string(spec.repetition)},
+                           {"planner_seed", std::to_string(spec.planner_seed)}};
+  for (auto& entry : budget_entries(spec.budget)) entries.push_back(std::move(entry));
+  return entries;
 }
 
 }  // namespace

@@ -3,7 +3,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "voronaut/planners/catalog/ompl_planners.h"
+#include "voronaut/planners/ompl/ompl_planners.h"
 #include "voronaut/planners/potential_field/potential_field.h"
 #include "voronaut/planners/reactive_voronoi/reactive_voronoi.h"
 #include "voronaut/planners/voronoi/voronoi_roadmap.h"
@@ -21,15 +21,17 @@ ompl::base::PlannerPtr make(const ompl::base::SpaceInformationPtr& si) {
 PlannerCatalog PlannerCatalog::built_in() {
   PlannerCatalog catalog;
   catalog.add({"PotentialField", "Khatib's artificial potential field, followed downhill",
-               PlannerTraits{.plans_on_every_scan = true}, make<PotentialField>});
+               PlannerTraits{true, Reproducible::everywhere}, make<PotentialField>});
   catalog.add({"ReactiveVoronoi",
                "the papers' planner: past obstacles on the left, on the right, between them",
-               PlannerTraits{.plans_on_every_scan = true}, make<ReactiveVoronoi>});
+               PlannerTraits{true, Reproducible::everywhere}, make<ReactiveVoronoi>});
   catalog.add(
       {"VoronoiRoadmap",
        "the Voronoi diagram of what is known: complete at its clearance, proves \"no path\"",
-       PlannerTraits{}, make<VoronoiRoadmap>});
-  for (PlannerEntry& entry : ompl_planners()) catalog.add(std::move(entry));
+       PlannerTraits{false, Reproducible::everywhere}, make<VoronoiRoadmap>});
+  for (const auto& family :
+       {tree_planners, batch_planners, roadmap_planners, parallel_planners, guided_planners})
+    for (PlannerEntry& entry : family()) catalog.add(std::move(entry));
   return catalog;
 }
 

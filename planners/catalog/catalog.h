@@ -9,13 +9,20 @@
 
 namespace voronaut {
 
+// Whether the same seed and the same counted budget give the same path, bit for bit.
+enum class Reproducible {
+  unknown,      // nobody has said so
+  no,           // threads or clocks inside
+  one_machine,  // on one machine; the C library's pow, log, sin decide too and differ by CPU
+  everywhere,
+};
+
 // What the executive must know of a planner beside its OMPL interface.
 struct PlannerTraits {
   // Reactive planners are asked once per scan, keep their memory between solves (no clear()) and
   // answer with the next leg only. All others plan when the path they gave no longer holds.
   bool plans_on_every_scan = false;
-  // The same seed gives the same path, bit for bit, on one machine.
-  bool reproducible = true;
+  Reproducible reproducible = Reproducible::unknown;
 };
 
 struct PlannerEntry {

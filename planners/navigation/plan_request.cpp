@@ -30,14 +30,15 @@ PlanStatus status_of(const ob::PlannerStatus& solved, bool reactive) {
 Plan ask_for_plan(ob::Planner& planner, const PlannerTraits& traits, PlanningProblem& problem,
                   const PlanningBudget& budget) {
   if (!traits.plans_on_every_scan) {
-    if (!problem.goal_has_place()) return {PlanStatus::infeasible, {}, {}};
+    if (!problem.goal_has_place()) return {PlanStatus::infeasible, {}, {}, {}};
     planner.clear();
   }
   planner.setProblemDefinition(problem.definition());
-  const ob::PlannerStatus solved = planner.solve(problem.budget(budget));
+  const auto [solved, end] = solve_within(planner, problem.meter(budget));
   const auto* insight = dynamic_cast<const PlannerInsight*>(&planner);
 
   Plan plan;
+  plan.end = end;
   plan.status = status_of(solved, traits.plans_on_every_scan);
   if (insight != nullptr) {
     plan.mode = insight->mode();

@@ -23,6 +23,7 @@ struct Plan {
   PlanStatus status = PlanStatus::none;
   Path path;         // empty unless to_goal or partial
   std::string mode;  // the planner's own word for what it does, empty if it has none
+  SolveEnd end = SolveEnd::planner;
 };
 
 // Solves `problem` (which already looks at the current belief) within `budget`. Planners that plan

@@ -35,7 +35,7 @@ void BeliefValidityChecker::look_at(const ObstacleSnapshot& obstacles, const Vec
 }
 
 bool BeliefValidityChecker::isValid(const ob::State* state) const {
-  ++checks_;
+  count();
   if (!si_->satisfiesBounds(state)) return false;
   const Vec2 p = position_of(*si_->getStateSpace(), state);
   return obstacles_.disc_is_clear(p, relaxation_.clearance_at_m(p));
@@ -46,7 +46,7 @@ double BeliefValidityChecker::clearance(const ob::State* state) const {
 }
 
 bool BeliefValidityChecker::motion_is_clear(const Vec2& a, const Vec2& b) const {
-  ++checks_;
+  count();
   if (!relaxation_.active()) return obstacles_.swept_disc_is_clear(a, b, clearance_min_m_);
   const ClearancePieces pieces = relaxation_.split(a, b);
   return std::all_of(pieces.piece.begin(), pieces.piece.begin() + pieces.count,

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <atomic>
 #include <cstdint>
 #include <memory>
 #include <utility>
@@ -16,7 +17,8 @@ namespace voronaut {
 // closer than clearance_min_m (relaxed around a start that is too close already). Exact: no step
 // size. Before the first look_at() nothing is known and everything within bounds is free.
 //
-// One thread. Queries cost O(points near the disc or the swept disc).
+// Queries cost O(points near the disc or the swept disc) and may come from several threads;
+// checks() may then miss a few.
 class BeliefValidityChecker : public ompl::base::StateValidityChecker, public KnownGeometry {
  public:
   // The space must be one that position_of() (planar_state.h) can read.
@@ -39,7 +41,7 @@ class BeliefValidityChecker : public ompl::base::StateValidityChecker, public Kn
   const Belief* belief() const override { return belief_; }
 
   // States and motions put to this checker since it was made, each counted once.
-  std::uint64_t checks() const { return checks_; }
+  std::uint64_t checks() const { return checks_.load(std::memory_order_relaxed); }
 
  private:
   double clearance_m(const Vec2& p) const;
@@ -49,7 +51,9 @@ class BeliefValidityChecker : public ompl::base::StateValidityChecker, public Kn
   ObstacleSnapshot obstacles_;
   const Belief* belief_ = nullptr;
   StartRelaxation relaxation_;
-  mutable std::uint64_t checks_ = 0;
+  // Two plain instructions instead of a locked one, as this is the innermost loop of every planner.
+  void count() const { checks_.store(checks() + 1, std::memory_order_relaxed); }
+  mutable std::atomic<std::uint64_t> checks_ = 0;
 };
 
 }  // namespace voronaut

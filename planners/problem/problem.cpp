@@ -40,13 +40,6 @@ std::shared_ptr<ob::RealVectorStateSpace> plane(const Bounds& bounds_world) {
 
 }  // namespace
 
-struct PlanningProblem::Spending {
-  PlanningBudget budget;
-  std::uint64_t checks_at_start = 0;
-  std::uint64_t evaluations = 0;
-  std::string_view stop;
-};
-
 PlanningProblem::PlanningProblem(const ProblemConfig& config) : config_(config) {
   const auto space = plane(config.bounds_world);
   si_ = std::make_shared<ob::SpaceInformation>(space);
@@ -93,22 +86,8 @@ void PlanningProblem::pose_problem(const Vec2& start_world) {
   definition_->getGoal()->as<ob::GoalState>()->setState(goal);
 }
 
-ob::PlannerTerminationCondition PlanningProblem::budget(const PlanningBudget& budget) {
-  spending_ = std::make_shared<Spending>();
-  spending_->budget = budget;
-  spending_->checks_at_start = checker_->checks();
-  return ob::PlannerTerminationCondition([spending = spending_, checker = checker_] {
-    ++spending->evaluations;
-    if (checker->checks() - spending->checks_at_start >= spending->budget.state_checks)
-      spending->stop = "state_checks";
-    else if (spending->evaluations > spending->budget.ptc_evaluations)
-      spending->stop = "ptc_evaluations";
-    return !spending->stop.empty();
-  });
-}
-
-std::string_view PlanningProblem::budget_stop() const {
-  return spending_ ? spending_->stop : std::string_view{};
+BudgetMeter PlanningProblem::meter(const PlanningBudget& budget) const {
+  return {budget, [checker = checker_] { return checker->checks(); }};
 }
 
 const KnownGeometry& PlanningProblem::geometry() const { return *checker_; }

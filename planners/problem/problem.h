@@ -2,15 +2,14 @@
 
 #include <cstdint>
 #include <memory>
-#include <string_view>
 
-#include <ompl/base/PlannerTerminationCondition.h>
 #include <ompl/base/ProblemDefinition.h>
 #include <ompl/base/SpaceInformation.h>
 
 #include "voronaut/environments/shapes/geometry.h"
 #include "voronaut/planners/problem/belief.h"
 #include "voronaut/planners/problem/known_geometry.h"
+#include "voronaut/planners/problem/planning_budget.h"
 
 // A planning problem over what is known: known obstacles (unknown counts as free), a start, a goal,
 // bounds and a clearance, as OMPL sees it.
@@ -21,12 +20,6 @@ struct ProblemConfig {
   Vec2 goal_world = Vec2::Zero();
   double goal_tolerance_m = 0.2;
   double clearance_min_m = 0.4;  // centre of the vehicle to the closest known point
-};
-
-// Work that a solve may spend. Counted work repeats bit for bit, a wall clock does not.
-struct PlanningBudget {
-  std::uint64_t state_checks = 50'000;      // states and motions put to the checker
-  std::uint64_t ptc_evaluations = 200'000;  // cap for planners that stop checking but not searching
 };
 
 class BeliefValidityChecker;
@@ -52,13 +45,8 @@ class PlanningProblem {
   // path.
   bool goal_has_place() const { return goal_has_place_; }
 
-  // Stops a solve when the budget is spent (counted from this call). Valid as long as the problem
-  // lives.
-  ompl::base::PlannerTerminationCondition budget(const PlanningBudget& budget);
-
-  // Which part of the latest budget has run out: "state_checks", "ptc_evaluations", or empty if
-  // the solve ended by itself.
-  std::string_view budget_stop() const;
+  // Counts a solve's work from now on. Valid as long as the problem lives.
+  BudgetMeter meter(const PlanningBudget& budget) const;
 
   // What the checkers look at; for the executive, which asks the same exact questions.
   const KnownGeometry& geometry() const;
@@ -73,8 +61,6 @@ class PlanningProblem {
   ompl::base::ProblemDefinitionPtr definition_;
   std::shared_ptr<BeliefValidityChecker> checker_;
   bool goal_has_place_ = true;
-  struct Spending;
-  std::shared_ptr<Spending> spending_;
 };
 
 }  // namespace voronaut

@@ -26,7 +26,7 @@ namespace voronaut {
 // Every failure is a StoreError that names the file and quotes SQLite.
 class ResultStore {
  public:
-  static constexpr int kSchemaVersion = 1;
+  static constexpr int kSchemaVersion = 2;
 
   // An existing store; an error if the file is not there or was written with another schema.
   static ResultStore open(const std::filesystem::path& file);

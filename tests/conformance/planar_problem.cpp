@@ -4,6 +4,8 @@
 #include <ompl/base/goals/GoalStates.h>
 #include <ompl/base/spaces/RealVectorStateProjections.h>
 
+#include "voronaut/planners/problem/planar_state.h"
+
 namespace voronaut::test {
 
 namespace ob = ompl::base;
@@ -13,17 +15,32 @@ namespace {
 void place(ob::ScopedState<>& state, const Vec2& p) {
   state[0] = p.x();
   state[1] = p.y();
+  if (state.getSpace()->getDimension() > 2) state[2] = 0;
+}
+
+std::shared_ptr<ob::StateSpace> make_space(Space kind, const std::shared_ptr<long>& alive) {
+  if (kind == Space::se2) {
+    auto space = std::make_shared<Counting<ob::SE2StateSpace>>(alive);
+    ob::RealVectorBounds square(2);
+    square.setLow(0);
+    square.setHigh(10);
+    space->setBounds(square);
+    return space;
+  }
+  auto space = std::make_shared<Counting<ob::RealVectorStateSpace>>(alive, 2U);
+  space->setBounds(0, 10);
+  space->registerDefaultProjection(std::make_shared<ob::RealVectorOrthogonalProjectionEvaluator>(
+      space.get(), std::vector<double>{0.5, 0.5}, std::vector<unsigned>{0, 1}));
+  return space;
 }
 
 }  // namespace
 
-PlanarProblem::PlanarProblem(const IsFree& is_free) {
-  auto space = std::make_shared<CountingPlane>(states_alive);
-  space->setBounds(0, 10);
-  space->registerDefaultProjection(std::make_shared<ob::RealVectorOrthogonalProjectionEvaluator>(
-      space.get(), std::vector<double>{0.5, 0.5}, std::vector<unsigned>{0, 1}));
-  si = std::make_shared<ob::SpaceInformation>(space);
-  si->setStateValidityChecker([is_free](const ob::State* state) { return is_free(planar(state)); });
+PlanarProblem::PlanarProblem(const IsFree& is_free, Space kind) {
+  si = std::make_shared<ob::SpaceInformation>(make_space(kind, states_alive));
+  si->setStateValidityChecker([is_free, si_ = si.get()](const ob::State* state) {
+    return si_->satisfiesBounds(state) && is_free(planar(*si_, state));
+  });
   si->setStateValidityCheckingResolution(0.002);
   si->setup();
 }
@@ -56,9 +73,8 @@ PlanarProblem::IsFree with_ring_around(const Vec2& center) {
   };
 }
 
-Vec2 planar(const ob::State* state) {
-  const auto* real = state->as<ob::RealVectorStateSpace::StateType>();
-  return {real->values[0], real->values[1]};
+Vec2 planar(const ob::SpaceInformation& si, const ob::State* state) {
+  return position_of(*si.getStateSpace(), state);
 }
 
 }  // namespace voronaut::test

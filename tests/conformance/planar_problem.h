@@ -9,6 +9,7 @@
 #include <ompl/base/ProblemDefinition.h>
 #include <ompl/base/SpaceInformation.h>
 #include <ompl/base/spaces/RealVectorStateSpace.h>
+#include <ompl/base/spaces/SE2StateSpace.h>
 
 #include "voronaut/environments/shapes/geometry.h"
 
@@ -16,29 +17,33 @@
 namespace voronaut::test {
 
 // Counts states, so that a test can ask whether all were freed.
-class CountingPlane : public ompl::base::RealVectorStateSpace {
+template <class Space>
+class Counting : public Space {
  public:
-  explicit CountingPlane(std::shared_ptr<long> alive)
-      : RealVectorStateSpace(2), alive_(std::move(alive)) {}
+  template <class... Arguments>
+  explicit Counting(std::shared_ptr<long> alive, Arguments... arguments)
+      : Space(arguments...), alive_(std::move(alive)) {}
 
   ompl::base::State* allocState() const override {
     ++*alive_;
-    return RealVectorStateSpace::allocState();
+    return Space::allocState();
   }
   void freeState(ompl::base::State* state) const override {
     --*alive_;
-    RealVectorStateSpace::freeState(state);
+    Space::freeState(state);
   }
 
  private:
   std::shared_ptr<long> alive_;
 };
 
+enum class Space { plane, se2 };
+
 struct PlanarProblem {
   using IsFree = std::function<bool(const Vec2&)>;
 
-  // The square from (0, 0) to (10, 10).
-  explicit PlanarProblem(const IsFree& is_free);
+  // The square from (0, 0) to (10, 10); headings, where the space has them, are all free.
+  explicit PlanarProblem(const IsFree& is_free, Space kind = Space::plane);
 
   // A new definition with these starts and goals; every definition made lives as long as this.
   ompl::base::ProblemDefinitionPtr define(const std::vector<Vec2>& starts,
@@ -54,6 +59,6 @@ bool free_of_two_discs(const Vec2& p);
 // The same, with `center` enclosed by a ring it cannot leave.
 PlanarProblem::IsFree with_ring_around(const Vec2& center);
 
-Vec2 planar(const ompl::base::State* state);
+Vec2 planar(const ompl::base::SpaceInformation& si, const ompl::base::State* state);
 
 }  // namespace voronaut::test

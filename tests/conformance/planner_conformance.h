@@ -24,6 +24,7 @@ namespace voronaut::test {
 struct PlannerCase {
   std::string name;
   std::function<ompl::base::PlannerPtr(const ompl::base::SpaceInformationPtr&)> make;
+  Space space = Space::plane;
 };
 
 inline void PrintTo(const PlannerCase& planner, std::ostream* out) { *out << planner.name; }
@@ -57,13 +58,14 @@ class PlannerConformance : public testing::TestWithParam<PlannerCase> {
     ASSERT_TRUE(definition.hasExactSolution());
     const auto& path = *definition.getSolutionPath()->as<ompl::geometric::PathGeometric>();
     EXPECT_TRUE(path.check());
-    EXPECT_LT((planar(path.getState(0)) - start).norm(), 1e-9);
-    EXPECT_LT((planar(last_state(path)) - goal).norm(), 1e-9);
+    const auto& si = *definition.getSpaceInformation();
+    EXPECT_LT((planar(si, path.getState(0)) - start).norm(), 1e-9);
+    EXPECT_LT((planar(si, last_state(path)) - goal).norm(), 1e-9);
   }
 
   const Vec2 start_{1, 1};
   const Vec2 goal_{9, 9};
-  PlanarProblem open_{free_of_two_discs};
+  PlanarProblem open_{free_of_two_discs, GetParam().space};
 };
 
 TEST_P(PlannerConformance, SolvesWithAValidPathThatBearsItsName) {
@@ -112,7 +114,8 @@ TEST_P(PlannerConformance, ClearsAsOftenAsAsked) {
 }
 
 TEST_P(PlannerConformance, EndsWhereOnlyStartAndGoalAreValid) {
-  const PlanarProblem nowhere([this](const Vec2& p) { return p == start_ || p == goal_; });
+  const PlanarProblem nowhere([this](const Vec2& p) { return p == start_ || p == goal_; },
+                              GetParam().space);
   const auto definition = nowhere.define({start_}, {goal_});
   const auto planner = planner_for(nowhere, definition);
   EXPECT_NE(solve(*planner, 500), Status::EXACT_SOLUTION);
@@ -144,7 +147,7 @@ TEST_P(PlannerConformance, RefusesGoalsItCannotSample) {
 
 TEST_P(PlannerConformance, TakesTheStartFromWhichThereIsAWay) {
   const Vec2 enclosed(7, 2);
-  const PlanarProblem problem(with_ring_around(enclosed));
+  const PlanarProblem problem(with_ring_around(enclosed), GetParam().space);
   const auto definition = problem.define({enclosed, start_}, {goal_});
   EXPECT_EQ(solve(*planner_for(problem, definition)), Status::EXACT_SOLUTION);
   expect_exact_path(*definition, start_, goal_);
@@ -152,7 +155,7 @@ TEST_P(PlannerConformance, TakesTheStartFromWhichThereIsAWay) {
 
 TEST_P(PlannerConformance, TakesTheGoalToWhichThereIsAWay) {
   const Vec2 enclosed(8, 3);
-  const PlanarProblem problem(with_ring_around(enclosed));
+  const PlanarProblem problem(with_ring_around(enclosed), GetParam().space);
   const auto definition = problem.define({start_}, {enclosed, goal_});
   EXPECT_EQ(solve(*planner_for(problem, definition)), Status::EXACT_SOLUTION);
   expect_exact_path(*definition, start_, goal_);
@@ -160,13 +163,14 @@ TEST_P(PlannerConformance, TakesTheGoalToWhichThereIsAWay) {
 
 TEST_P(PlannerConformance, TakesInAGoalThatIsAddedLater) {
   const Vec2 enclosed(8, 3);
-  const PlanarProblem problem(with_ring_around(enclosed));
+  const PlanarProblem problem(with_ring_around(enclosed), GetParam().space);
   const auto definition = problem.define({start_}, {enclosed});
   const auto planner = planner_for(problem, definition);
   EXPECT_NE(solve(*planner, 1000), Status::EXACT_SOLUTION);
   ompl::base::ScopedState<> more(problem.si);
   more[0] = goal_.x();
   more[1] = goal_.y();
+  if (GetParam().space == Space::se2) more[2] = 0;
   definition->getGoal()->as<ompl::base::GoalStates>()->addState(more);
   definition->clearSolutionPaths();
   EXPECT_EQ(solve(*planner), Status::EXACT_SOLUTION);
@@ -174,7 +178,7 @@ TEST_P(PlannerConformance, TakesInAGoalThatIsAddedLater) {
 }
 
 TEST_P(PlannerConformance, SaysThatAnApproximateSolutionIsOne) {
-  const PlanarProblem problem(with_ring_around(goal_ - Vec2(1, 1)));
+  const PlanarProblem problem(with_ring_around(goal_ - Vec2(1, 1)), GetParam().space);
   const auto definition = problem.define({start_}, {goal_ - Vec2(1, 1)});
   const auto planner = planner_for(problem, definition);
   const Status status = solve(*planner, 2000);
@@ -184,7 +188,7 @@ TEST_P(PlannerConformance, SaysThatAnApproximateSolutionIsOne) {
   EXPECT_TRUE(definition->hasApproximateSolution());
   const auto& path = *definition->getSolutionPath()->as<ompl::geometric::PathGeometric>();
   EXPECT_TRUE(path.check());
-  const double short_of_goal = (planar(last_state(path)) - goal_ + Vec2(1, 1)).norm();
+  const double short_of_goal = (planar(*problem.si, last_state(path)) - goal_ + Vec2(1, 1)).norm();
   EXPECT_NEAR(definition->getSolutionDifference(), short_of_goal, 1e-6);
 }
 
@@ -215,6 +219,35 @@ TEST_P(PlannerConformance, SolvesAnotherProblemAfterClear) {
   planner->clear();
   EXPECT_EQ(solve(*planner), Status::EXACT_SOLUTION);
   expect_exact_path(*second, goal_, start_);
+}
+
+TEST_P(PlannerConformance, SolvesAnotherQueryAfterClearQuery) {
+  const auto first = open_.define({start_}, {goal_});
+  const auto planner = planner_for(open_, first);
+  ASSERT_EQ(solve(*planner), Status::EXACT_SOLUTION);
+  planner->clearQuery();
+  const auto second = open_.define({Vec2(9, 1)}, {Vec2(1, 9)});
+  planner->setProblemDefinition(second);
+  EXPECT_EQ(solve(*planner), Status::EXACT_SOLUTION);
+  expect_exact_path(*second, {9, 1}, {1, 9});
+}
+
+// "name TYPE" -> a value at any time, as OMPL's Benchmark samples them.
+TEST_P(PlannerConformance, HasProgressPropertiesOfAKnownType) {
+  const auto definition = open_.define({start_}, {goal_});
+  const auto planner = planner_for(open_, definition);
+  planner->setup();
+  const auto ask_all = [&] {
+    for (const auto& [name, value] : planner->getPlannerProgressProperties()) {
+      const std::string type = name.substr(name.rfind(' ') + 1);
+      EXPECT_TRUE(type == "REAL" || type == "DOUBLE" || type == "INTEGER" || type == "BOOLEAN")
+          << name;
+      EXPECT_FALSE(value().empty()) << name;
+    }
+  };
+  ask_all();
+  solve(*planner);
+  ask_all();
 }
 
 TEST_P(PlannerConformance, FreesEveryStateItAllocates) {

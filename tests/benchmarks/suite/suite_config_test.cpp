@@ -94,6 +94,25 @@ TEST(SuiteConfig, PassesFlagsToPlannersAsTheyWantThem) {
   EXPECT_EQ(suite.planners[0].params.at("range"), "2");
 }
 
+TEST(SuiteConfig, ReadsEachWayToCountABudget) {
+  using Counts = PlanningBudget::Counts;
+  const auto budget = [](const std::string& text) {
+    return read(suite_with("budget", text)).budget;
+  };
+  EXPECT_EQ(budget("{stop: first}").counts, Counts::state_checks);
+  EXPECT_EQ(budget("{stop: first}").stop, PlanningBudget::Stop::first);
+  EXPECT_EQ(budget("{iterations: 12}").counts, Counts::iterations);
+  EXPECT_EQ(budget("{iterations: 12}").iterations, 12U);
+  EXPECT_EQ(budget("{iterations: 12}").stop, PlanningBudget::Stop::budget);
+  EXPECT_EQ(budget("{wall_clock_s: 0.5}").counts, Counts::wall_clock);
+  EXPECT_EQ(budget("{wall_clock_s: 0.5}").wall_clock_s, 0.5);
+  EXPECT_EQ(error_of(suite_with("budget", "{state_checks: 5, wall_clock_s: 1}")),
+            "s.yaml:5: key 'budget.wall_clock_s': cannot count beside state_checks (allowed: "
+            "state_checks with ptc_evaluations, or iterations, or wall_clock_s)");
+  EXPECT_EQ(error_of(suite_with("budget", "{stop: last}")),
+            "s.yaml:5: key 'budget.stop': expected one of first, budget, got 'last'");
+}
+
 TEST(SuiteConfig, SaysInOneLineWhatIsWrong) {
   unsetenv("VORONAUT_DATA");  // one of the messages is about its absence
   const std::string keys =
@@ -192,7 +211,8 @@ TEST(SuiteConfig, SaysInOneLineWhatIsWrong) {
       {suite_with("budget", "{state_checks: 0}"),
        "s.yaml:5: key 'budget.state_checks': " + count + "1 to 9223372036854775807, got '0'"},
       {suite_with("budget", "{time_s: 1}"),
-       "s.yaml:5: key 'budget.time_s': unknown key (allowed: state_checks, ptc_evaluations)"},
+       "s.yaml:5: key 'budget.time_s': unknown key (allowed: state_checks, ptc_evaluations, "
+       "iterations, wall_clock_s, stop)"},
       {suite_with("limits", "{memory_mb: 1}"),
        "s.yaml:5: key 'limits.memory_mb': expected a number from 16 to 1000000, got '1'"},
       {suite_with("traces", "some"),

@@ -64,7 +64,7 @@ TEST(PotentialField, StopsWhereThePushOfAnObstacleAheadBalancesThePull) {
   problem.update(base->snapshot(), {1, 5});
   PotentialField planner(problem.space_information());
   planner.setProblemDefinition(problem.definition());
-  ASSERT_EQ(planner.solve(problem.budget({})), ob::PlannerStatus::APPROXIMATE_SOLUTION);
+  ASSERT_EQ(planner.solve(problem.meter({}).condition()), ob::PlannerStatus::APPROXIMATE_SOLUTION);
   const Path path =
       to_path(*problem.definition()->getSolutionPath()->as<ompl::geometric::PathGeometric>());
   EXPECT_NEAR(path.back().x(), 5 - 0.655, 0.01);
@@ -78,7 +78,7 @@ TEST(PotentialField, FlowsAroundAnObstacleBesideTheWay) {
   problem.update(base->snapshot(), {1, 5});
   PotentialField planner(problem.space_information());
   planner.setProblemDefinition(problem.definition());
-  ASSERT_EQ(planner.solve(problem.budget({})), ob::PlannerStatus::EXACT_SOLUTION);
+  ASSERT_EQ(planner.solve(problem.meter({}).condition()), ob::PlannerStatus::EXACT_SOLUTION);
   const auto& path = *problem.definition()->getSolutionPath()->as<ompl::geometric::PathGeometric>();
   EXPECT_TRUE(path.check());
   EXPECT_GT(path.length(), 8.05);
@@ -93,7 +93,7 @@ TEST(PotentialField, FollowsTheLiveBeliefAnewAtEachSolve) {
   planner.setProblemDefinition(problem.definition());
   for (const Vec2& start : {Vec2(1, 5), Vec2(2, 5.2), Vec2(3, 6)}) {
     problem.update(belief, start);
-    ASSERT_EQ(planner.solve(problem.budget({})), ob::PlannerStatus::EXACT_SOLUTION);
+    ASSERT_EQ(planner.solve(problem.meter({}).condition()), ob::PlannerStatus::EXACT_SOLUTION);
     const Path path =
         to_path(*problem.definition()->getSolutionPath()->as<ompl::geometric::PathGeometric>());
     EXPECT_EQ(path.front(), start);

@@ -147,21 +147,17 @@ TEST(PlanningProblem, CountsEachStateAndEachMotionOnce) {
   EXPECT_EQ(problem.state_checks() - before, 2u);
 }
 
-TEST(PlanningProblem, SaysWhichPartOfTheBudgetRanOut) {
+TEST(PlanningProblem, MetersTheChecksOfItsOwnChecker) {
   PlanningProblem problem(kConfig);
   problem.update(ObstacleSnapshot{}, {1, 1});
   const auto& si = problem.space_information();
-  const auto by_checks = problem.budget({.state_checks = 3, .ptc_evaluations = 100});
-  EXPECT_FALSE(by_checks());
-  EXPECT_EQ(problem.budget_stop(), "");
+  const BudgetMeter meter = problem.meter({.state_checks = 3, .ptc_evaluations = 100});
+  const auto spent = meter.condition();
+  EXPECT_FALSE(spent());
+  EXPECT_FALSE(meter.ran_out());
   for (int i = 0; i < 3; ++i) si->isValid(state_at(si, {2, 2}).get());
-  EXPECT_TRUE(by_checks());
-  EXPECT_EQ(problem.budget_stop(), "state_checks");
-
-  const auto by_evaluations = problem.budget({.state_checks = 100, .ptc_evaluations = 5});
-  for (int i = 0; i < 5; ++i) EXPECT_FALSE(by_evaluations());
-  EXPECT_TRUE(by_evaluations());
-  EXPECT_EQ(problem.budget_stop(), "ptc_evaluations");
+  EXPECT_TRUE(spent());
+  EXPECT_EQ(meter.ran_out(), SolveEnd::state_checks);
 }
 
 TEST(PlanningProblem, OffersTheLiveBeliefAndNoneForAStaticProblem) {
@@ -180,7 +176,7 @@ TEST(PlanningProblem, CarriesPlannersThatProjectTheState) {
   problem.update(ObstacleSnapshot{}, {1, 1});
   og::KPIECE1 planner(problem.space_information());
   planner.setProblemDefinition(problem.definition());
-  EXPECT_EQ(planner.solve(problem.budget({})), ob::PlannerStatus::EXACT_SOLUTION);
+  EXPECT_EQ(planner.solve(problem.meter({}).condition()), ob::PlannerStatus::EXACT_SOLUTION);
 }
 
 TEST(PathConversion, KeepsThePositionsOfASolution) {
@@ -189,7 +185,7 @@ TEST(PathConversion, KeepsThePositionsOfASolution) {
   problem.update(base->snapshot(), {1, 1});
   og::RRTConnect planner(problem.space_information());
   planner.setProblemDefinition(problem.definition());
-  ASSERT_EQ(planner.solve(problem.budget({})), ob::PlannerStatus::EXACT_SOLUTION);
+  ASSERT_EQ(planner.solve(problem.meter({}).condition()), ob::PlannerStatus::EXACT_SOLUTION);
   const auto& solution = *problem.definition()->getSolutionPath()->as<og::PathGeometric>();
   const Path path = to_path(solution);
   EXPECT_EQ(path.front(), Vec2(1, 1));

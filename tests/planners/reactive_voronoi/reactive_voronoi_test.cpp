@@ -34,7 +34,7 @@ struct UnderWay {
     base.update(scan);
     belief = {base.snapshot(), &scan, base.scan_clusters(), scan.sensor_world};
     problem.update(belief, p);
-    return planner->solve(problem.budget({}));
+    return planner->solve(problem.meter({}).condition());
   }
 
   Path path() const {
@@ -104,7 +104,7 @@ TEST(ReactiveVoronoi, FliesAMissionAmongKnownPointsOnAStaticProblem) {
   set_parameters(planner,
                  {{"preset", "repaired"}, {"sensing_field_of_view_rad", "6.283185307179586"}});
   planner.setProblemDefinition(problem.definition());
-  ASSERT_EQ(planner.solve(problem.budget({})), ob::PlannerStatus::EXACT_SOLUTION);
+  ASSERT_EQ(planner.solve(problem.meter({}).condition()), ob::PlannerStatus::EXACT_SOLUTION);
   auto& path = *problem.definition()->getSolutionPath()->as<og::PathGeometric>();
   EXPECT_TRUE(path.check());
   EXPECT_LT(path.length(), 11);

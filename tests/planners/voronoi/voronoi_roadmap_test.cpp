@@ -64,7 +64,7 @@ struct Posed {
     planner->setup();
   }
 
-  ob::PlannerStatus solve() { return planner->solve(problem.budget({})); }
+  ob::PlannerStatus solve() { return planner->solve(problem.meter({}).condition()); }
   og::PathGeometric& path() const {
     return *problem.definition()->getSolutionPath()->as<og::PathGeometric>();
   }

@@ -60,7 +60,11 @@ TEST(ReportData, MatchesTheGoldenText) {
       R"("texts":["-9000000000000000001"]},"shortest_at_clearance_m":[null],)"
       R"("shortest_length_m":[14.2],"speed_max_m_s":[null],"speed_mean_m_s":[null],"spl":[0.9311475],)"
       R"("state_checks":{"index":[0],"texts":["0"]},"step_time_us_mean":[null],)"
-      R"("step_time_us_p99":[null],"suite":{"index":[0],"texts":["synthetic"]},"trial_id":{"index":[0],)"
+      R"("step_time_us_p99":[null],"stops_first_solution":{"index":[0],"texts":["0"]},)"
+      R"("stops_iterations":{"index":[0],"texts":["0"]},)"
+      R"("stops_ptc_evaluations":{"index":[0],"texts":["0"]},)"
+      R"("stops_state_checks":{"index":[0],"texts":["0"]},)"
+      R"("stops_wall_clock":{"index":[0],"texts":["0"]},"suite":{"index":[0],"texts":["synthetic"]},"trial_id":{"index":[0],)"
       R"("texts":["t1"]},"vehicle":{"index":[0],"texts":["quadrotor"]},"world_id":{"index":[0],)"
       R"("texts":["w0"]}},"worlds":[]})");
 }

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "voronaut/planners/catalog/catalog.h"
+
+// Every geometric planner of OMPL 1.5.2 under its own name, one list per family. Two are left out:
+// LightningRetrieveRepair and ThunderRetrieveRepair answer from a database of earlier paths, which
+// a vehicle in an unknown world does not have.
+//
+// `reproducible` is what tests/benchmarks/catalog/every_planner_test holds: the same bits from two
+// processes, one of them with the FMA forms of its C library masked.
+namespace voronaut {
+
+std::vector<PlannerEntry> tree_planners();      // grow one or two trees of motions
+std::vector<PlannerEntry> batch_planners();     // order a batch of samples: fast marching, BIT*
+std::vector<PlannerEntry> roadmap_planners();   // PRM, SPARS and a PRM without threads
+std::vector<PlannerEntry> parallel_planners();  // several planners or threads at once
+std::vector<PlannerEntry> guided_planners();    // want more than a space: a field, a task space
+
+template <class Planner>
+PlannerEntry ompl_entry(const char* name, const char* summary,
+                        Reproducible reproducible = Reproducible::everywhere) {
+  return {name, std::string("OMPL: ") + summary, PlannerTraits{.reproducible = reproducible},
+          [](const ompl::base::SpaceInformationPtr& si) -> ompl::base::PlannerPtr {
+            return std::make_shared<Planner>(si);
+          }};
+}
+
+}  // namespace voronaut

@@ -1,0 +1,115 @@
+#include "voronaut/planners/problem/planning_budget.h"
+
+#include <atomic>
+#include <charconv>
+#include <chrono>
+#include <cmath>
+#include <string>
+#include <utility>
+
+#include <ompl/base/objectives/PathLengthOptimizationObjective.h>
+
+namespace voronaut {
+
+namespace ob = ompl::base;
+
+struct BudgetMeter::Spending {
+  using Clock = std::chrono::steady_clock;
+
+  PlanningBudget budget;
+  std::function<std::uint64_t()> state_checks;
+  std::uint64_t checks_at_start = 0;
+  Clock::time_point start = Clock::now();
+  std::atomic<std::uint64_t> evaluations = 0;
+  std::atomic<SolveEnd> end = SolveEnd::planner;
+
+  bool is_spent() {
+    const std::uint64_t evaluated = ++evaluations;
+    if (end != SolveEnd::planner) return true;
+    if (const auto met = limit_met(evaluated)) end = *met;
+    return end != SolveEnd::planner;
+  }
+
+  std::optional<SolveEnd> limit_met(std::uint64_t evaluated) const {
+    switch (budget.counts) {
+      case PlanningBudget::Counts::state_checks:
+        if (state_checks() - checks_at_start >= budget.state_checks) return SolveEnd::state_checks;
+        if (evaluated > budget.ptc_evaluations) return SolveEnd::ptc_evaluations;
+        break;
+      case PlanningBudget::Counts::iterations:
+        if (evaluated > budget.iterations) return SolveEnd::iterations;
+        break;
+      case PlanningBudget::Counts::wall_clock:
+        if (std::chrono::duration<double>(Clock::now() - start).count() >= budget.wall_clock_s)
+          return SolveEnd::wall_clock;
+        break;
+    }
+    return std::nullopt;
+  }
+};
+
+BudgetMeter::BudgetMeter(const PlanningBudget& budget, std::function<std::uint64_t()> state_checks)
+    : spending_(std::make_shared<Spending>()) {
+  spending_->budget = budget;
+  spending_->checks_at_start = state_checks();
+  spending_->state_checks = std::move(state_checks);
+}
+
+ob::PlannerTerminationCondition BudgetMeter::condition() const {
+  return ob::PlannerTerminationCondition([spending = spending_] { return spending->is_spent(); });
+}
+
+std::optional<SolveEnd> BudgetMeter::ran_out() const {
+  const SolveEnd end = spending_->end;
+  return end == SolveEnd::planner ? std::nullopt : std::optional(end);
+}
+
+PlanningBudget::Stop BudgetMeter::stop() const { return spending_->budget.stop; }
+
+namespace {
+
+// Any path will do. Planners read the objective when they are set up for the problem.
+void be_content_with_any_path(const ob::ProblemDefinitionPtr& definition) {
+  auto length =
+      std::make_shared<ob::PathLengthOptimizationObjective>(definition->getSpaceInformation());
+  length->setCostThreshold(length->infiniteCost());
+  definition->setOptimizationObjective(length);
+}
+
+// The planner's own word that it has a path, null if it has no such word.
+ob::Planner::PlannerProgressProperty best_cost_of(const ob::Planner& planner) {
+  for (const auto& [name, value] : planner.getPlannerProgressProperties())
+    if (name.starts_with("best cost ")) return value;
+  return nullptr;
+}
+
+bool is_finite(const std::string& cost) {
+  double value = 0;
+  const auto [end, error] = std::from_chars(cost.data(), cost.data() + cost.size(), value);
+  return error == std::errc{} && std::isfinite(value);
+}
+
+}  // namespace
+
+SolveReport solve_within(ob::Planner& planner, const BudgetMeter& meter) {
+  const bool first =
+      meter.stop() == PlanningBudget::Stop::first && planner.getSpecs().optimizingPaths;
+  ob::PlannerTerminationCondition condition = meter.condition();
+  if (first) {
+    if (!planner.isSetup()) be_content_with_any_path(planner.getProblemDefinition());
+    // A property is read between the steps of the search: not where several threads search.
+    const auto best_cost = best_cost_of(planner);
+    if (best_cost && !planner.getSpecs().multithreaded)
+      condition = ob::plannerOrTerminationCondition(
+          condition,
+          ob::PlannerTerminationCondition([best_cost] { return is_finite(best_cost()); }));
+  }
+  SolveReport report{planner.solve(condition), SolveEnd::planner};
+  if (const auto spent = meter.ran_out())
+    report.end = *spent;
+  else if (first && report.status == ob::PlannerStatus::EXACT_SOLUTION)
+    report.end = SolveEnd::first_solution;
+  return report;
+}
+
+}  // namespace voronaut

@@ -1,0 +1,79 @@
+#include <cstdlib>
+#include <fstream>
+#include <map>
+#include <set>
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "voronaut/benchmarks/results/output_folder.h"
+#include "voronaut/planners/catalog/catalog.h"
+#include "voronaut/tests/benchmarks/small_suite.h"
+
+// Every planner of the catalogue flies a small forest and a small trap through the executive,
+// twice: as the machine is, and with the C library's FMA and AVX2 forms masked.
+namespace voronaut {
+namespace {
+
+// OMPL 1.5.2 ends the process itself: docs/ompl.md says how.
+const std::set<std::string> kMayCrash = {"AITstar"};
+
+std::string suite_text() {
+  std::string text =
+      "suite: every\nseed: 1\nscenarios:\n"
+      "  - {name: forest, generator: {name: forest, side_m: 6, density_per_m2: 0.1}}\n"
+      "  - {name: trap, generator: {name: u_trap, width_min_m: 2, width_max_m: 2.5,"
+      " depth_min_m: 1, depth_max_m: 1.5}}\n"
+      "vehicles: [{name: ideal, params: {max_speed_m_s: 2}}]\n"
+      "navigation: {gaze: path, speed_rule: stopping_distance}\n"
+      "budget: {state_checks: 3000, ptc_evaluations: 6000, stop: first}\n"
+      "limits: {memory_mb: 2048, cpu_s: 60, wall_s: 120}\ntraces: none\nplanners:\n";
+  const PlannerCatalog catalog = PlannerCatalog::built_in();
+  for (const PlannerEntry* entry : catalog.entries()) text += "  - " + entry->name + "\n";
+  return text;
+}
+
+using Rows = std::map<std::string, RunRecord>;  // by "scenario/planner"
+
+class EveryPlanner : public ::testing::Test {
+ protected:
+  Rows fly(const std::string& results, const std::string& environment) const {
+    std::ofstream(folder_.path() / "every.yaml") << suite_text();
+    const std::string command = "cd '" + folder_.path().string() + "' && " + environment + " '" +
+                                VORONAUT_PROGRAM + "' run every.yaml --jobs 2 --out " + results +
+                                " >said.txt 2>&1";
+    [[maybe_unused]] const int status = std::system(command.c_str());  // 1: AITstar crashed
+    Rows rows;
+    for (const RunRecord& record : OutputFolder::open(folder_.path() / results).store().records())
+      rows[record.scenario + "/" + record.planner] = record;
+    return rows;
+  }
+
+ private:
+  TemporaryFolder folder_;
+};
+
+TEST_F(EveryPlanner, FliesAForestAndATrapAndRepeatsWhereTheCatalogueSaysSo) {
+  const PlannerCatalog catalog = PlannerCatalog::built_in();
+  const Rows plain = fly("plain", "env");
+  const Rows masked = fly("masked", "GLIBC_TUNABLES=glibc.cpu.hwcaps=-FMA,-AVX2,-FMA4");
+  ASSERT_EQ(plain.size(), 2 * catalog.entries().size());
+  ASSERT_EQ(masked.size(), plain.size());
+  int arrived = 0;
+  for (const auto& [name, row] : plain) {
+    const bool crashed = is_failure(row.outcome);
+    if (crashed && kMayCrash.contains(row.planner)) continue;
+    EXPECT_FALSE(crashed) << name << ": " << row.reason;
+    arrived += row.outcome == Outcome::goal_reached ? 1 : 0;
+    const Reproducible promised = catalog.find(row.planner)->traits.reproducible;
+    if (promised == Reproducible::everywhere) {
+      EXPECT_EQ(row.state_digest, masked.at(name).state_digest) << name;
+      EXPECT_EQ(row.state_checks, masked.at(name).state_checks) << name;
+    }
+    RecordProperty(name, std::string(to_string(row.outcome)));
+  }
+  EXPECT_GT(arrived, static_cast<int>(catalog.entries().size()));
+}
+
+}  // namespace
+}  // namespace voronaut

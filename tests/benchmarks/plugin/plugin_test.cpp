@@ -1,0 +1,104 @@
+#include <cstdlib>
+#include <fstream>
+#include <map>
+#include <sstream>
+#include <string>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+
+#include "voronaut/benchmarks/results/output_folder.h"
+#include "voronaut/tests/benchmarks/small_suite.h"
+
+// Planners of somebody else, as they come: in a program of their own, in a shared library.
+namespace voronaut {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::StartsWith;
+
+const std::string kExample = VORONAUT_SOURCE_DIR "/benchmarks/examples/straight-line.yaml";
+
+class Plugin : public ::testing::Test {
+ protected:
+  int run(const std::string& program, const std::string& arguments) {
+    const std::string command = "cd '" + folder_.path().string() + "' && '" + program + "' " +
+                                arguments + " >said.txt 2>&1";
+    const int status = std::system(command.c_str());
+    return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+  }
+  std::string said() const {
+    std::ostringstream text;
+    text << std::ifstream(folder_.path() / "said.txt").rdbuf();
+    return text.str();
+  }
+  // Outcome and reason of each trial, by "scenario/planner".
+  std::map<std::string, std::string> ends(const std::string& results) const {
+    std::map<std::string, std::string> found;
+    for (const RunRecord& record : OutputFolder::open(folder_.path() / results).store().records())
+      found[record.scenario + "/" + record.planner] =
+          std::string(to_string(record.outcome)) + ": " + record.reason;
+    return found;
+  }
+  void write(const std::string& name, const std::string& text) const {
+    std::ofstream(folder_.path() / name) << text;
+  }
+  void expect_example_flown(const std::string& results) const {
+    const auto found = ends(results);
+    ASSERT_EQ(found.size(), 4U) << said();
+    EXPECT_THAT(found.at("open/StraightLine"), StartsWith("goal_reached"));
+    EXPECT_THAT(found.at("open/RRTConnect"), StartsWith("goal_reached"));
+    EXPECT_THAT(found.at("pillar/RRTConnect"), StartsWith("goal_reached"));
+  }
+
+ private:
+  TemporaryFolder folder_;
+};
+
+TEST_F(Plugin, AProgramOfThreeLinesFliesItsPlanner) {
+  run(VORONAUT_EXAMPLE_PROGRAM, "run " + kExample + " --out own");
+  expect_example_flown("own");
+}
+
+TEST_F(Plugin, ALibraryAddsItsPlannerToTheProgram) {
+  const std::string plugin = " --plugin " VORONAUT_EXAMPLE_PLUGIN;
+  EXPECT_EQ(run(VORONAUT_PROGRAM, "list planners" + plugin), 0);
+  EXPECT_THAT(said(), HasSubstr("StraightLine"));
+  EXPECT_EQ(run(VORONAUT_PROGRAM, "check " + kExample + plugin), 0) << said();
+  run(VORONAUT_PROGRAM, "run " + kExample + " --out results" + plugin);
+  expect_example_flown("results");
+  EXPECT_EQ(run(VORONAUT_PROGRAM, "check " + kExample), 2);
+  EXPECT_THAT(said(), HasSubstr("no planner 'StraightLine'"));
+}
+
+TEST_F(Plugin, WhatALibraryDoesToItsProcessIsARow) {
+  write("hostile.yaml",
+        "suite: hostile\nscenarios: [{name: open, world: {circles: [[2, 3, 0.5]]}, bounds: [[-2, "
+        "-2], [5, 5]], start: [0, 0], goal: [2, 1]}]\nvehicles: [ideal]\n"
+        "planners: [Throws, Aborts, Loops, Leaks, StillBorn, RRTConnect]\n"
+        "limits: {memory_mb: 200, cpu_s: 1, wall_s: 60}\n");
+  EXPECT_EQ(run(VORONAUT_PROGRAM, "run hostile.yaml --plugin " VORONAUT_HOSTILE_PLUGIN), 1);
+  const auto found = ends("voronaut-results/hostile");
+  ASSERT_EQ(found.size(), 6U) << said();
+  EXPECT_EQ(found.at("open/Throws"), "crash: exception: no idea how to go on");
+  EXPECT_THAT(found.at("open/Aborts"), StartsWith("crash: ended by SIGABRT"));
+  EXPECT_THAT(found.at("open/StillBorn"), StartsWith("crash: ended by SIGABRT"));
+  EXPECT_EQ(found.at("open/Loops"), "killed: used more than 1 s of CPU time");
+  EXPECT_EQ(found.at("open/Leaks"), "memory: asked for more than 200 MB of memory");
+  EXPECT_THAT(found.at("open/RRTConnect"), StartsWith("goal_reached"));
+}
+
+TEST_F(Plugin, WhatIsNoPluginIsRefusedInOneLine) {
+  EXPECT_EQ(run(VORONAUT_PROGRAM, "run smoke --plugin none.so"), 2);
+  EXPECT_EQ(said(), "voronaut: plugin none.so: no such file\n");
+  write("text.so", "no library");
+  EXPECT_EQ(run(VORONAUT_PROGRAM, "run smoke --plugin text.so"), 2);
+  EXPECT_THAT(said(), StartsWith("voronaut: plugin text.so: "));
+  const std::string twice = VORONAUT_EXAMPLE_PLUGIN;
+  EXPECT_EQ(run(VORONAUT_PROGRAM, "list planners --plugin " + twice + " --plugin " + twice), 2);
+  EXPECT_THAT(said(), HasSubstr("'StraightLine' is in the catalogue already"));
+}
+
+}  // namespace
+}  // namespace voronaut
