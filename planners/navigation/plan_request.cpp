@@ -31,7 +31,7 @@ Plan ask_for_plan(ob::Planner& planner, const PlannerTraits& traits, PlanningPro
                   const PlanningBudget& budget) {
   if (!traits.plans_on_every_scan) {
     if (!problem.goal_has_place()) return {PlanStatus::infeasible, {}, {}, {}};
-    planner.clear();
+    if (planner.isSetup()) planner.clear();  // AITstar 1.5.2 must not be cleared before
   }
   planner.setProblemDefinition(problem.definition());
   const auto [solved, end] = solve_within(planner, problem.meter(budget));
@@ -46,7 +46,8 @@ Plan ask_for_plan(ob::Planner& planner, const PlannerTraits& traits, PlanningPro
   }
   if (plan.status == PlanStatus::to_goal || plan.status == PlanStatus::partial) {
     plan.path =
-        to_path(*problem.definition()->getSolutionPath()->as<ompl::geometric::PathGeometric>());
+        to_path(*problem.definition()->getSolutionPath()->as<ompl::geometric::PathGeometric>(),
+                *problem.space_information()->getStateSpace());
     if (plan.path.empty()) plan.status = PlanStatus::none;
   }
   return plan;

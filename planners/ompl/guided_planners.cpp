@@ -132,7 +132,7 @@ class OneLevelQrrt : public og::QRRT {
 
 std::vector<PlannerEntry> guided_planners() {
   return {
-      ompl_entry<OneLevelQrrt>("QRRT", "quotient space RRT, on one level"),
+      ompl_entry<OneLevelQrrt>("QRRT", "quotient space RRT, on one level (1.5.2 crashes)"),
       ompl_entry<PlaneRrt>("TSRRT", "task space RRT, the plane as its task space"),
       ompl_entry<GoalFieldRrt>("VFRRT", "RRT along a vector field: the pull of the goal"),
       ompl_entry<PlaneXxl>("XXL", "search over cells, 16 x 16 of the plane"),

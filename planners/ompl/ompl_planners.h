@@ -20,6 +20,15 @@ std::vector<PlannerEntry> roadmap_planners();   // PRM, SPARS and a PRM without 
 std::vector<PlannerEntry> parallel_planners();  // several planners or threads at once
 std::vector<PlannerEntry> guided_planners();    // want more than a space: a field, a task space
 
+// Planners that improve a path until they are stopped, and do not say so in their specs.
+template <class Planner>
+class Anytime : public Planner {
+ public:
+  explicit Anytime(const ompl::base::SpaceInformationPtr& si) : Planner(si) {
+    this->specs_.optimizingPaths = true;
+  }
+};
+
 template <class Planner>
 PlannerEntry ompl_entry(const char* name, const char* summary,
                         Reproducible reproducible = Reproducible::everywhere) {

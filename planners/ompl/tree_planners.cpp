@@ -39,8 +39,9 @@ std::vector<PlannerEntry> tree_planners() {
       ompl_entry<og::InformedRRTstar>("InformedRRTstar", "RRTstar on an informed subset, anytime"),
       ompl_entry<og::KPIECE1>("KPIECE1", "KPIECE on one grid level"),
       ompl_entry<og::LBKPIECE1>("LBKPIECE1", "lazy bidirectional KPIECE on one grid level"),
-      ompl_entry<og::LBTRRT>("LBTRRT", "lower bound tree RRT, anytime"),
-      ompl_entry<og::LazyLBTRRT>("LazyLBTRRT", "lazy lower bound tree RRT, anytime"),
+      ompl_entry<Anytime<og::LBTRRT>>("LBTRRT", "lower bound tree RRT, anytime"),
+      ompl_entry<Anytime<og::LazyLBTRRT>>(
+          "LazyLBTRRT", "lazy lower bound tree RRT, anytime (1.5.2 aborts on some problems)"),
       ompl_entry<og::LazyRRT>("LazyRRT", "RRT that checks motions late"),
       ompl_entry<og::PDST>("PDST", "path-directed subdivision tree"),
       ompl_entry<og::ProjEST>("ProjEST", "expansive space trees on a projection"),
@@ -52,7 +53,7 @@ std::vector<PlannerEntry> tree_planners() {
       ompl_entry<og::RRTstar>("RRTstar", "asymptotically optimal RRT, anytime"),
       ompl_entry<og::SBL>("SBL", "single-query bidirectional lazy tree"),
       ompl_entry<og::SORRTstar>("SORRTstar", "sorted informed RRTstar, anytime"),
-      ompl_entry<og::SST>("SST", "stable sparse RRT, anytime"),
+      ompl_entry<Anytime<og::SST>>("SST", "stable sparse RRT, anytime"),
       ompl_entry<og::STRIDE>("STRIDE", "search tree with resolution independent density"),
       ompl_entry<og::TRRT>("TRRT", "transition-based RRT"),
   };

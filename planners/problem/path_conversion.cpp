@@ -8,13 +8,16 @@
 
 namespace voronaut {
 
-Path to_path(const ompl::geometric::PathGeometric& path) {
-  const ompl::base::StateSpace& space = *path.getSpaceInformation()->getStateSpace();
+Path to_path(const ompl::geometric::PathGeometric& path, const ompl::base::StateSpace& space) {
   std::vector<Vec2> points;
   points.reserve(path.getStateCount());
   for (std::size_t i = 0; i < path.getStateCount(); ++i)
     points.push_back(position_of(space, path.getState(static_cast<unsigned>(i))));
   return Path::through(points);
+}
+
+Path to_path(const ompl::geometric::PathGeometric& path) {
+  return to_path(path, *path.getSpaceInformation()->getStateSpace());
 }
 
 }  // namespace voronaut

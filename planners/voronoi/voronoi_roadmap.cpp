@@ -248,15 +248,22 @@ void VoronoiRoadmap::getPlannerData(ob::PlannerData& data) const {
     return state;
   };
   const VoronoiGraph& graph = router_.graph();
+  // Behind a sampled border the diagram goes on: what lies there is no part of the roadmap.
+  constexpr unsigned kBehindBorder = std::numeric_limits<unsigned>::max();
   std::vector<unsigned> vertex;
-  for (const Vec2& p : graph.vertices())
-    vertex.push_back(data.addVertex(ob::PlannerDataVertex(state_at(p))));
+  for (const Vec2& p : graph.vertices()) {
+    const ob::State* state = state_at(p);
+    vertex.push_back(si_->isValid(state) ? data.addVertex(ob::PlannerDataVertex(state))
+                                         : kBehindBorder);
+  }
   const auto connect = [&](unsigned a, unsigned b, double length_m) {
     data.addEdge(a, b, ob::PlannerDataEdge(), ob::Cost(length_m));
     data.addEdge(b, a, ob::PlannerDataEdge(), ob::Cost(length_m));
   };
-  for (const VoronoiGraph::Edge& edge : graph.edges())
-    connect(vertex[edge.u], vertex[edge.v], edge.length_m);
+  for (const VoronoiGraph::Edge& edge : graph.edges()) {
+    if (vertex[edge.u] != kBehindBorder && vertex[edge.v] != kBehindBorder)
+      connect(vertex[edge.u], vertex[edge.v], edge.length_m);
+  }
 
   constexpr int kSolutionTag = 1;
   unsigned previous = 0;

@@ -1,9 +1,10 @@
+#include <algorithm>
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <limits>
-#include <map>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -118,13 +119,14 @@ bool solves(const PlannerEntry& entry, const OmplWorld& world, const ShapeIndex&
   return setup.haveExactSolutionPath() && setup.getSolutionPath().check();
 }
 
-int solved_of(const char* planner, const OmplWorld& world) {
+int solved_of(const char* planner, const OmplWorld& world, std::size_t queries = 100) {
   const ShapeIndex index(world.shapes);
   const PlannerCatalog catalog = PlannerCatalog::built_in();
   int solved = 0;
-  for (const Query& query : world.queries)
+  queries = std::min(queries, world.queries.size());
+  for (const Query& query : std::span(world.queries).first(queries))
     solved += solves(*catalog.find(planner), world, index, query) ? 1 : 0;
-  std::printf("%-16s %d of %zu\n", planner, solved, world.queries.size());
+  std::printf("%-16s %d of %zu\n", planner, solved, queries);
   return solved;
 }
 
@@ -135,9 +137,10 @@ TEST(OmplWorlds, VoronoiRoadmapSolvesEveryQueryAmongTheCircles) {
   ASSERT_EQ(world.queries.size(), 100U);
   EXPECT_EQ(solved_of("VoronoiRoadmap", world), 100);
   EXPECT_GE(solved_of("RRTConnect", world), 95);
-  // Reactive planners may stay in a trap: shown beside, not judged.
-  solved_of("ReactiveVoronoi", world);
-  solved_of("PotentialField", world);
+  // Reactive planners may stay in a trap: shown beside, not judged. Each sensing step marches its
+  // rays through the checker, some seconds a query here: the first few only.
+  solved_of("ReactiveVoronoi", world, 5);
+  solved_of("PotentialField", world, 5);
 }
 
 TEST(OmplWorlds, VoronoiRoadmapSolvesTheGrid) {

@@ -33,6 +33,7 @@ std::string message_of(const std::function<void()>& call) {
 
 // OMPL's classes are called so; they call themselves with a k (they connect to k neighbours) or #.
 std::string class_name(std::string name) {
+  if (name == "APS") return "AnytimePathShortening";
   if (name.starts_with("kB") || name.starts_with("kA")) name.erase(0, 1);
   if (name.ends_with("#")) name.replace(name.size() - 1, 1, "sharp");
   return name;
@@ -44,8 +45,9 @@ TEST(PlannerCatalog, NamesEachPlannerAsItsClass) {
   for (const PlannerEntry* entry : catalog.entries()) {
     const auto planner = entry->make(problem.space_information());
     EXPECT_EQ(class_name(planner->getName()), entry->name);
-    if (planner->getSpecs().multithreaded)
+    if (planner->getSpecs().multithreaded) {
       EXPECT_EQ(entry->traits.reproducible, Reproducible::no) << entry->name;
+    }
   }
 }
 
@@ -69,12 +71,18 @@ TEST(PlannerCatalog, RefusesANameTwice) {
 TEST(PlannerCatalog, EveryPlannerFindsAWayThroughTheEmptyPlaneWithinABudget) {
   const PlannerCatalog catalog = PlannerCatalog::built_in();
   for (const PlannerEntry* entry : catalog.entries()) {
-    if (entry->name == "AITstar") continue;  // OMPL 1.5.2: an assertion of its own aborts here
+    // OMPL 1.5.2 ends the process: an assertion of its own, a null pointer in QRRTImpl::grow().
+    if (entry->name == "AITstar" || entry->name == "QRRT") continue;
     PlanningProblem problem(kConfig);
     problem.update(ObstacleSnapshot{}, {1, 1});
     const auto planner = entry->make(problem.space_information());
     planner->setProblemDefinition(problem.definition());
-    const auto status = planner->solve(problem.meter({3000, 6000}).condition());
+    // Threads that wait for a solution ask for the end all the time: those get a clock.
+    PlanningBudget budget{.state_checks = 3000, .ptc_evaluations = 6000};
+    budget.wall_clock_s = 1;
+    if (entry->traits.reproducible == Reproducible::no)
+      budget.counts = PlanningBudget::Counts::wall_clock;
+    const auto status = planner->solve(problem.meter(budget).condition());
     EXPECT_TRUE(status) << entry->name;
   }
 }
