@@ -51,6 +51,7 @@ Json scenario_json(const ScenarioSpec& scenario) {
 // What decides results; the rest decides how many and what is kept of them.
 Json defining_json(const SuiteConfig& suite) {
   return {{"suite", suite.name},
+          {"kind", suite.kind == TrialKind::known ? "known" : "flown"},
           {"seed", suite.seed},
           {"scenarios", list_json(suite.scenarios, scenario_json)},
           {"vehicles", list_json(suite.vehicles, vehicle_json)},

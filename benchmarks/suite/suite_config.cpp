@@ -86,7 +86,8 @@ SuiteConfig read_suite(const ConfigNode& root, const std::string& data_argument,
                    "budget", "limits", "traces"});
   SuiteConfig suite;
   suite.name = read_name(root.child("suite"));
-  if (const auto kind = root.find("kind")) kind->choice({"flown"});
+  if (const auto kind = root.find("kind"))
+    suite.kind = static_cast<TrialKind>(kind->choice({"flown", "known"}));
   if (const auto seed = root.find("seed"))
     suite.seed = static_cast<std::uint64_t>(seed->whole_number(0, kLargest));
   if (const auto repetitions = root.find("repetitions"))

@@ -38,6 +38,7 @@ struct VehicleEntry {
 
 struct SuiteConfig {
   std::string name;
+  TrialKind kind = TrialKind::flown;
   std::uint64_t seed = 1;
   int repetitions = 1;
   Repeat repeat = Repeat::all;
@@ -68,7 +69,7 @@ struct SuiteConfig {
 //   budget: {state_checks: 50000, ptc_evaluations: 200000}   see budget_config.h
 //   limits: {memory_mb: 1024, cpu_s: 120, wall_s: 300}
 //   traces: all | failures | none
-//   kind: flown
+//   kind: flown | known             known: static planning with the whole world given
 //
 // and everything it names. Each planner is made once, in a process of its own, and given its
 // parameters, each vehicle and regulator is built, so that what is wrong is found here. Throws

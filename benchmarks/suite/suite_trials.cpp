@@ -62,6 +62,7 @@ PlannedTrial SuiteTrials::trial(const VehicleEntry& vehicle, const PlannerSpec& 
   const std::size_t repetition = visits_[worlds].repetition;
   TrialSpec spec;
   spec.suite = suite_.name;
+  spec.kind = suite_.kind;
   spec.scenario = scenario_;
   spec.world_id = world_id_;
   spec.vehicle = vehicle.vehicle;

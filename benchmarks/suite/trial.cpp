@@ -8,6 +8,7 @@
 #include "voronaut/benchmarks/episode/episode.h"
 #include "voronaut/benchmarks/episode/episode_trace.h"
 #include "voronaut/benchmarks/episode/metrics.h"
+#include "voronaut/benchmarks/known/known_trial.h"
 
 namespace voronaut {
 
@@ -44,17 +45,6 @@ void add_metrics(RunRecord& record, const EpisodeLog& log, const Vec2& goal_worl
   record.state_digest = state_digest(log.ticks);
 }
 
-void add_solve_ends(RunRecord& record, const std::array<std::int64_t, kSolveEnds>& ends) {
-  const auto count = [&](SolveEnd end) { return ends[static_cast<std::size_t>(end)]; };
-  record.stops_first_solution = count(SolveEnd::first_solution);
-  record.stops_state_checks = count(SolveEnd::state_checks);
-  record.stops_ptc_evaluations = count(SolveEnd::ptc_evaluations);
-  record.stops_iterations = count(SolveEnd::iterations);
-  record.stops_wall_clock = count(SolveEnd::wall_clock);
-  record.budget_stops = record.stops_state_checks + record.stops_ptc_evaluations +
-                        record.stops_iterations + record.stops_wall_clock;
-}
-
 void add_times(RunRecord& record, const EpisodeLog& log) {
   record.mapping_time_us_mean = mean(log.mapping.samples_us());
   record.mapping_time_us_p99 = percentile(log.mapping.samples_us(), 99);
@@ -65,6 +55,17 @@ void add_times(RunRecord& record, const EpisodeLog& log) {
 }
 
 }  // namespace
+
+void add_solve_ends(RunRecord& record, const std::array<std::int64_t, kSolveEnds>& ends) {
+  const auto count = [&](SolveEnd end) { return ends[static_cast<std::size_t>(end)]; };
+  record.stops_first_solution = count(SolveEnd::first_solution);
+  record.stops_state_checks = count(SolveEnd::state_checks);
+  record.stops_ptc_evaluations = count(SolveEnd::ptc_evaluations);
+  record.stops_iterations = count(SolveEnd::iterations);
+  record.stops_wall_clock = count(SolveEnd::wall_clock);
+  record.budget_stops = record.stops_state_checks + record.stops_ptc_evaluations +
+                        record.stops_iterations + record.stops_wall_clock;
+}
 
 RunRecord record_before_flight(const TrialSpec& spec) {
   RunRecord record;
@@ -85,6 +86,7 @@ RunRecord record_before_flight(const TrialSpec& spec) {
 
 TrialResult run_trial(const TrialSpec& spec, const PlannerCatalog& planners, bool keep_trace) {
   ompl::msg::setLogLevel(ompl::msg::LOG_NONE);
+  if (spec.kind == TrialKind::known) return {run_known_trial(spec, planners), std::nullopt};
   ompl::RNG::setSeed(static_cast<std::uint_fast32_t>(spec.planner_seed % 0x7fffffffU) + 1);
 
   TrialResult result{record_before_flight(spec), std::nullopt};

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <map>
 #include <optional>
@@ -25,8 +26,12 @@ struct PlannerSpec {
   std::map<std::string, std::string> params;  // by the planner's own names
 };
 
+// flown: discover the world while flying through it. known: the whole world is given, nobody moves.
+enum class TrialKind { flown, known };
+
 struct TrialSpec {
   std::string suite;
+  TrialKind kind = TrialKind::flown;
   Scenario scenario;  // instantiated: the world of this repetition
   std::string world_id;
   VehicleSpec vehicle;
@@ -53,13 +58,17 @@ struct TrialResult {
   std::optional<Trace> trace;
 };
 
-// Flies one trial in this process: seeds OMPL, so it must be the first to use a random number in
-// its process (fork before). Never throws for what a planner does within its contract; exceptions
-// of a planner or std::bad_alloc pass through, the caller makes rows of them.
+// Flies one trial, or solves it if its kind is `known`, in this process: seeds OMPL, so it must be
+// the first to use a random number in its process (fork before). Never throws for what a planner
+// does within its contract; exceptions of a planner or std::bad_alloc pass through, the caller
+// makes rows of them.
 TrialResult run_trial(const TrialSpec& spec, const PlannerCatalog& planners, bool keep_trace);
 
 // The row of a trial that has not flown: what is known of it from its definition alone.
 RunRecord record_before_flight(const TrialSpec& spec);
+
+// Counts what ended the solves of a trial into its row.
+void add_solve_ends(RunRecord& record, const std::array<std::int64_t, kSolveEnds>& ends);
 
 // The world as reports draw it.
 TraceWorld trace_world(const Scenario& scenario, const std::string& world_id);

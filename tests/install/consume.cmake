@@ -23,3 +23,18 @@ run("${prefix}/bin/voronaut" list suites)
 if(NOT output MATCHES "quadrotor-paper")
   message(FATAL_ERROR "the installed program does not find the suites that ship:\n${output}")
 endif()
+
+# The examples as projects of their own, and the plugin in the installed program.
+set(examples "${BUILD_DIR}/install-test/examples")
+file(REMOVE_RECURSE "${examples}")
+run("${CMAKE_COMMAND}" -S "${SOURCE_DIR}/benchmarks/examples" -B "${examples}" -G Ninja
+    -DCMAKE_BUILD_TYPE=Release -DCMAKE_CXX_COMPILER=${CXX} -DCMAKE_PREFIX_PATH=${prefix})
+run("${CMAKE_COMMAND}" --build "${examples}")
+run("${examples}/own_program" list planners)
+if(NOT output MATCHES "StraightLine")
+  message(FATAL_ERROR "the program of three lines does not list its planner:\n${output}")
+endif()
+run("${prefix}/bin/voronaut" list planners --plugin "${examples}/libstraight_line.so")
+if(NOT output MATCHES "StraightLine")
+  message(FATAL_ERROR "the installed program does not take the plugin:\n${output}")
+endif()

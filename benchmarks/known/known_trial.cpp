@@ -1,0 +1,114 @@
+#include "voronaut/benchmarks/known/known_trial.h"
+
+#include <chrono>
+#include <memory>
+
+#include <ompl/geometric/PathGeometric.h>
+#include <ompl/util/RandomNumbers.h>
+
+#include "voronaut/benchmarks/episode/metrics.h"
+#include "voronaut/benchmarks/known/known_problem.h"
+#include "voronaut/planners/catalog/planner_insight.h"
+#include "voronaut/planners/problem/planar_state.h"
+#include "voronaut/planners/problem/planning_budget.h"
+
+namespace voronaut {
+
+namespace ob = ompl::base;
+
+namespace {
+
+// One solve, everything made anew.
+struct KnownSolve {
+  KnownSolve(const TrialSpec& spec, const PlannerCatalog& planners)
+      : problem(spec.scenario, spec.vehicle.clearance_min_m) {
+    planner = planners.find(spec.planner.name)->make(problem.space_information());
+    set_parameters(*planner, spec.planner.params);
+    planner->setProblemDefinition(problem.definition());
+    planner->setup();
+    const BudgetMeter meter(spec.budget, [this] { return problem.state_checks(); });
+    const auto start = std::chrono::steady_clock::now();
+    report = solve_within(*planner, meter);
+    const std::chrono::duration<double, std::micro> spent =
+        std::chrono::steady_clock::now() - start;
+    time_us = spent.count();
+    checks = problem.state_checks();
+  }
+
+  KnownProblem problem;
+  ob::PlannerPtr planner;
+  SolveReport report;
+  double time_us = 0;
+  std::uint64_t checks = 0;
+};
+
+void seed(const TrialSpec& spec) {
+  ompl::RNG::setSeed(static_cast<std::uint_fast32_t>(spec.planner_seed % 0x7fffffffU) + 1);
+}
+
+void judge(RunRecord& record, const KnownSolve& solved) {
+  const ob::ProblemDefinition& definition = *solved.problem.definition();
+  const auto* insight = dynamic_cast<const PlannerInsight*>(solved.planner.get());
+  record.reason = solved.report.status.asString();
+  if (solved.report.status == ob::PlannerStatus::EXACT_SOLUTION && definition.hasExactSolution())
+    record.outcome =
+        definition.getSolutionPath()->check() ? Outcome::goal_reached : Outcome::collision;
+  else if (insight != nullptr && insight->proved_no_path())
+    record.outcome = Outcome::infeasible;
+  else if (solved.report.status == ob::PlannerStatus::INVALID_START ||
+           solved.report.status == ob::PlannerStatus::INVALID_GOAL)
+    record.outcome = Outcome::invalid;
+  else
+    record.outcome = Outcome::timeout;
+}
+
+// The path as if a vehicle had stood at each vertex.
+std::vector<Tick> vertices(const KnownSolve& solved, const World& world) {
+  std::vector<Tick> ticks;
+  const ob::PathPtr& found = solved.problem.definition()->getSolutionPath();
+  if (!found) return ticks;
+  const auto& path = *found->as<ompl::geometric::PathGeometric>();
+  const ob::StateSpace& space = *solved.problem.space_information()->getStateSpace();
+  for (unsigned i = 0; i < path.getStateCount(); ++i) {
+    const Vec2 p = position_of(space, path.getState(i));
+    Tick& tick = ticks.emplace_back();
+    tick.state.p_world = {p.x(), p.y(), 0};
+    tick.state.v_world.setZero();
+    tick.state.w_body.setZero();
+    tick.clearance_m = world.clearance_m(p);
+  }
+  return ticks;
+}
+
+}  // namespace
+
+RunRecord run_known_trial(const TrialSpec& spec, const PlannerCatalog& planners) {
+  seed(spec);
+  KnownSolve(spec, planners);
+  seed(spec);
+  const KnownSolve solved(spec, planners);
+
+  RunRecord record = record_before_flight(spec);
+  judge(record, solved);
+  record.replans = 1;
+  record.state_checks = static_cast<std::int64_t>(solved.checks);
+  std::array<std::int64_t, kSolveEnds> ends{};
+  ends[static_cast<std::size_t>(solved.report.end)] = 1;
+  add_solve_ends(record, ends);
+  record.planning_time_us_mean = solved.time_us;
+  const std::vector<Tick> path = vertices(solved, *spec.scenario.world);
+  const bool success = record.outcome == Outcome::goal_reached;
+  record.spl = 0;
+  if (path.empty()) return record;
+  record.path_length_m = path_length_m(path);
+  record.clearance_min_m = clearance_min_m(path);
+  record.clearance_mean_m = clearance_mean_m(path);
+  record.end_x_m = path.back().state.p_world.x();
+  record.end_y_m = path.back().state.p_world.y();
+  record.spl = spl(success, record.shortest_length_m, record.path_length_m);
+  if (success) record.path_ratio = record.path_length_m / record.shortest_length_m;
+  record.state_digest = state_digest(path);
+  return record;
+}
+
+}  // namespace voronaut

@@ -1,0 +1,22 @@
+#pragma once
+
+#include "voronaut/benchmarks/suite/trial.h"
+
+namespace voronaut {
+
+// A trial of a suite of kind `known`: the whole true world is given and nobody moves, as in
+// ompl::tools::Benchmark. States and motions are exact against the true shapes at the vehicle's
+// clearance_min_m; planners see them through the validity checker and motion validator alone. Two
+// solves: the first, of a problem of its own, takes the page faults of a new process out of the
+// second, which is seeded anew and measured. In the row:
+//
+//   outcome         goal_reached: an exact path that the check accepts; collision: one that it does
+//                   not; infeasible: proved; invalid: start or goal; timeout: no path
+//   path_*, spl     of the path found; clearance_* at its vertices
+//   planning_time_us_mean   wall time of solve()
+//   state_digest    over the vertices of the path
+//
+// Seeds OMPL: in a process of its own, as run_trial().
+RunRecord run_known_trial(const TrialSpec& spec, const PlannerCatalog& planners);
+
+}  // namespace voronaut
