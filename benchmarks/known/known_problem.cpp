@@ -4,6 +4,7 @@
 
 #include <ompl/base/StateValidityChecker.h>
 
+#include "voronaut/environments/world.h"
 #include "voronaut/planners/problem/planar_state.h"
 #include "voronaut/planners/problem/swept_disc_motion_validator.h"
 

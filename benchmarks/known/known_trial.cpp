@@ -8,6 +8,7 @@
 
 #include "voronaut/benchmarks/episode/metrics.h"
 #include "voronaut/benchmarks/known/known_problem.h"
+#include "voronaut/environments/world.h"
 #include "voronaut/planners/catalog/planner_insight.h"
 #include "voronaut/planners/problem/planar_state.h"
 #include "voronaut/planners/problem/planning_budget.h"

@@ -3,7 +3,6 @@
 #include <fstream>
 #include <iostream>
 #include <limits>
-#include <numeric>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -58,15 +57,23 @@ Circles read(const std::string& folder) {
   return read;
 }
 
-// Sums over the runs of one query.
+// Of the runs of one query: medians, as other work on the machine stretches single runs.
 struct Sums {
   double time_us = 0;
   int solved = 0;
 };
 
+double median(std::vector<double> values) {
+  if (values.empty()) return 0;
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
 Sums through_us(const TrialSpec& query) {
   const PlannerCatalog planners = PlannerCatalog::built_in();
   Sums sums;
+  std::vector<double> times_us;
   for (int run = 0; run < kRuns; ++run) {
     TrialSpec spec = query;
     spec.planner_seed = derive_seed(1, {query.scenario.name}, run);
@@ -81,9 +88,10 @@ Sums through_us(const TrialSpec& query) {
     double time_us = 0;
     int solved = 0;
     text >> time_us >> solved;
-    sums.time_us += time_us;
+    times_us.push_back(time_us);
     sums.solved += solved;
   }
+  sums.time_us = median(times_us);
   return sums;
 }
 
@@ -93,19 +101,20 @@ Sums through_ompl(const TrialSpec& query) {
         ompl::RNG::setSeed(derive_seed(2, {query.scenario.name}, 0) % 0x7fffffff + 1);
         const KnownProblem problem(query.scenario, query.vehicle.clearance_min_m);
         ompl::geometric::SimpleSetup setup(problem.space_information());
-        setup.addStartState(problem.definition()->getStartState(0));
+        setup.addStartState(ompl::base::ScopedState<>(problem.space_information()->getStateSpace(),
+                                                      problem.definition()->getStartState(0)));
         setup.setGoal(problem.definition()->getGoal());
         ompl::tools::Benchmark benchmark(setup, query.scenario.name);
         benchmark.addPlanner(
             PlannerCatalog::built_in().find("RRTConnect")->make(problem.space_information()));
         benchmark.benchmark({10, 1024, kRuns, 0.05, false, false, false});
-        double time_us = 0;
+        std::vector<double> times_us;
         int solved = 0;
         for (const auto& run : benchmark.getRecordedExperimentData().planners.front().runs) {
-          time_us += 1e6 * std::stod(run.at("time REAL"));
+          times_us.push_back(1e6 * std::stod(run.at("time REAL")));
           solved += run.at("solved BOOLEAN") == "1" ? 1 : 0;
         }
-        return std::to_string(time_us) + " " + std::to_string(solved);
+        return std::to_string(median(times_us)) + " " + std::to_string(solved);
       },
       kLimits);
   Sums sums;
@@ -133,11 +142,12 @@ int compare(const std::string& folder) {
     ours.time_us += us.time_us, ours.solved += us.solved;
     theirs.time_us += ompl.time_us, theirs.solved += ompl.solved;
   }
-  const auto n = static_cast<double>(kRuns * circles.queries.size());
-  std::printf("%-24s %10s %10s\n", "RRTConnect", "mean us", "solved");
-  std::printf("%-24s %10.1f %7d of %.0f\n", "voronaut, kind: known", ours.time_us / n, ours.solved,
-              n);
-  std::printf("%-24s %10.1f %7d of %.0f\n", "ompl::tools::Benchmark", theirs.time_us / n,
+  const auto queries = static_cast<double>(circles.queries.size());
+  const double n = kRuns * queries;
+  std::printf("%-24s %10s %10s\n", "RRTConnect", "median us", "solved");
+  std::printf("%-24s %10.1f %7d of %.0f\n", "voronaut, kind: known", ours.time_us / queries,
+              ours.solved, n);
+  std::printf("%-24s %10.1f %7d of %.0f\n", "ompl::tools::Benchmark", theirs.time_us / queries,
               theirs.solved, n);
   std::printf("ratio %.3f\n", ours.time_us / theirs.time_us);
   return 0;

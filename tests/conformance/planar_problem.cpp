@@ -2,6 +2,7 @@
 
 #include <ompl/base/ScopedState.h>
 #include <ompl/base/goals/GoalStates.h>
+#include <ompl/base/objectives/PathLengthOptimizationObjective.h>
 #include <ompl/base/spaces/RealVectorStateProjections.h>
 
 #include "voronaut/planners/problem/planar_state.h"
@@ -59,6 +60,10 @@ ob::ProblemDefinitionPtr PlanarProblem::define(const std::vector<Vec2>& starts,
     goal->addState(state);
   }
   definition->setGoal(goal);
+  // Any path satisfies: planners that optimise end with their first one, as in OMPL's own tests.
+  const auto length = std::make_shared<ob::PathLengthOptimizationObjective>(si);
+  length->setCostThreshold(length->infiniteCost());
+  definition->setOptimizationObjective(length);
   return definition;
 }
 

@@ -86,7 +86,7 @@ Solved solve(const std::string& name, const PlanningBudget& budget) {
 // Class by class: a planner that stops by itself, one that obeys the cost threshold, two that
 // ignore it.
 TEST(SolveWithin, StopsAnAnytimePlannerAtItsFirstSolutionIfTold) {
-  for (const char* name : {"RRTstar", "BITstar", "LBTRRT", "LazyLBTRRT", "SST", "LazyPRMstar"}) {
+  for (const char* name : {"RRTstar", "BITstar", "LBTRRT", "LazyLBTRRT", "LazyPRMstar"}) {
     const Solved first = solve(name, {.state_checks = 3000, .stop = Stop::first});
     EXPECT_EQ(first.report.status, ompl::base::PlannerStatus::EXACT_SOLUTION) << name;
     EXPECT_EQ(first.report.end, SolveEnd::first_solution) << name;
