@@ -29,7 +29,8 @@ class Hostile : public ob::Planner {
 void throw_up() { throw std::runtime_error("no idea how to go on"); }
 void abort_all() { std::abort(); }
 void loop() {
-  for (volatile int i = 0;; i = i + 1) {
+  static volatile bool for_ever = true;
+  while (for_ever) {
   }
 }
 // Each block is touched, so that it counts.
