@@ -134,7 +134,7 @@ ExitCode execute(const ListOptions& options, const CommandContext& context) {
 }
 
 ExitCode execute(const CheckOptions& options, const CommandContext& context) {
-  const ConfigNode root = ConfigNode::read_file(options.file);
+  const ConfigNode root = ConfigNode::read_file(find_suite(options.file).string());
   if (root.find("suite") || root.find("planners") || root.find("vehicles")) {
     check_suite(root, options, context);
     return ExitCode::success;

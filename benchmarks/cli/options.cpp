@@ -13,7 +13,7 @@ namespace {
 constexpr const char* kFooter =
     "Exit codes: 0 success; 1 ran, but something failed (a trial ended as crash, killed, memory "
     "or\n"
-    "invalid, a replay differed, the run was interrupted); 2 bad input.";
+    "invalid, a replay differed, a claim is broken, the run was interrupted); 2 bad input.";
 
 CLI::App* add_command(CLI::App& app, const std::string& name, const std::string& summary) {
   CLI::App* command = app.add_subcommand(name, summary);
@@ -48,13 +48,19 @@ struct Commands {
         ->check(CLI::IsMember({"planners", "vehicles", "regulators", "scenarios", "suites"}));
     add_plugins(list_command, list.plugins);
     check_command = add_command(app, "check", "Validate a suite or scenario without running it");
-    check_command->add_option("FILE", check.file, "Suite or scenario file")->required();
+    check_command
+        ->add_option("FILE", check.file,
+                     "Suite or scenario file, or the name of a suite that ships")
+        ->required();
     add_data(check_command, check.data);
     add_plugins(check_command, check.plugins);
     add_replay(app);
     digest_command = add_command(app, "digest", "Print a hash of every deterministic result");
     add_folder(digest_command, digest.folder);
     add_report(app);
+    evidence_command = add_command(app, "evidence", "Hold the claims of suites against results");
+    evidence_command->add_option("DIR", evidence.folders, "Folders of results")->required();
+    evidence_command->add_option("-o,--output", evidence.out, "Markdown file [standard output]");
     add_plot(app);
     add_show(app);
     add_export(app);
@@ -133,6 +139,7 @@ struct Commands {
     if (replay_command->parsed()) return replay;
     if (digest_command->parsed()) return digest;
     if (report_command->parsed()) return report;
+    if (evidence_command->parsed()) return evidence;
     if (show_command->parsed()) return show;
     if (export_command->parsed()) return exported;
     return plot;
@@ -145,6 +152,7 @@ struct Commands {
   ReplayOptions replay;
   DigestOptions digest;
   ReportOptions report;
+  EvidenceOptions evidence;
   PlotOptions plot;
   ShowOptions show;
   ExportOptions exported;
@@ -156,6 +164,7 @@ struct Commands {
   CLI::App* replay_command = nullptr;
   CLI::App* digest_command = nullptr;
   CLI::App* report_command = nullptr;
+  CLI::App* evidence_command = nullptr;
   CLI::App* plot_command = nullptr;
   CLI::App* show_command = nullptr;
   CLI::App* export_command = nullptr;

@@ -56,6 +56,11 @@ struct ReportOptions {
   std::string format = "html";
 };
 
+struct EvidenceOptions {
+  std::vector<std::string> folders;
+  std::string out;  // a Markdown file; empty: standard output
+};
+
 struct PlotOptions {
   std::string folder;
   std::vector<std::string> trial_ids;  // or their beginnings
@@ -76,7 +81,8 @@ struct ExportOptions {
 };
 
 using Options = std::variant<RunOptions, SummaryOptions, ListOptions, CheckOptions, ReplayOptions,
-                             DigestOptions, ReportOptions, PlotOptions, ShowOptions, ExportOptions>;
+                             DigestOptions, ReportOptions, EvidenceOptions, PlotOptions,
+                             ShowOptions, ExportOptions>;
 
 // 0: done. 1: ran, but something failed. 2: bad input.
 enum class ExitCode { success = 0, failure = 1, bad_input = 2 };

@@ -31,7 +31,9 @@ Json vehicle_json(const VehicleEntry& entry) {
 }
 
 Json planner_json(const PlannerSpec& planner) {
-  return {{"label", planner.label}, {"name", planner.name}, {"params", Json(planner.params)}};
+  Json json = {{"label", planner.label}, {"name", planner.name}, {"params", Json(planner.params)}};
+  if (planner.navigation) json["navigation"] = config_json(*planner.navigation);
+  return json;
 }
 
 template <class Item, class ToJson>

@@ -37,9 +37,10 @@ std::vector<ShippedFile> shipped_files(const std::string& kind) {
   const fs::path folder = shipped_folder() / kind;
   std::error_code ignored;
   if (!fs::is_directory(folder, ignored)) return files;
-  for (const auto& entry : fs::directory_iterator(folder)) {
-    if (entry.path().extension() == ".yaml")
-      files.push_back({entry.path().stem().string(), first_comment(entry.path()), entry.path()});
+  for (const auto& entry : fs::recursive_directory_iterator(folder)) {
+    if (entry.path().extension() != ".yaml") continue;
+    const fs::path name = entry.path().lexically_relative(folder).replace_extension();
+    files.push_back({name.string(), first_comment(entry.path()), entry.path()});
   }
   std::sort(files.begin(), files.end(),
             [](const ShippedFile& a, const ShippedFile& b) { return a.name < b.name; });
@@ -54,7 +55,7 @@ fs::path find_suite(const std::string& argument) {
     if (file.name == argument) return file.file;
     names.push_back(file.name);
   }
-  const bool is_name = argument.find('/') == std::string::npos && !argument.ends_with(".yaml");
+  const bool is_name = !argument.ends_with(".yaml");
   throw std::invalid_argument(is_name ? "no suite " + in_quotes(argument) +
                                             allowed_names(argument, names)
                                       : argument + ": no such file");

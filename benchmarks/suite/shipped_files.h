@@ -12,12 +12,12 @@ namespace voronaut {
 std::filesystem::path shipped_folder();
 
 struct ShippedFile {
-  std::string name;     // without .yaml
+  std::string name;     // path within the folder, without .yaml
   std::string summary;  // the comment in the file's first line
   std::filesystem::path file;
 };
 
-// The YAML files of a folder within it ("suites", "scenarios"), by name.
+// The YAML files below a folder within it ("suites", "scenarios"), by name.
 std::vector<ShippedFile> shipped_files(const std::string& kind);
 
 // A path as it is, or else the name of a suite that ships. Throws std::invalid_argument that lists

@@ -69,7 +69,7 @@ void read_contents(const ConfigNode& root, const std::string& data_argument,
   suite.planners = read_list<PlannerSpec>(
       root.child("planners"),
       [&](const ConfigNode& entry) {
-        return std::vector<PlannerSpec>{read_planner(entry, planners)};
+        return std::vector<PlannerSpec>{read_planner(entry, planners, suite.navigation)};
       },
       [](const PlannerSpec& planner) { return planner.label; }, "give this one a label");
   suite.scenarios = read_list<ScenarioSpec>(
@@ -83,7 +83,7 @@ SuiteConfig read_suite(const ConfigNode& root, const std::string& data_argument,
                        const PlannerCatalog& planners) {
   root.allow_only({"suite", "kind", "seed", "repetitions", "repeat", "data", "scenarios",
                    "vehicles", "planners", "range_finder", "mapping", "navigation", "loop",
-                   "budget", "limits", "traces"});
+                   "budget", "limits", "traces", "claims"});
   SuiteConfig suite;
   suite.name = read_name(root.child("suite"));
   if (const auto kind = root.find("kind"))
@@ -103,6 +103,9 @@ SuiteConfig read_suite(const ConfigNode& root, const std::string& data_argument,
   if (const auto traces = root.find("traces"))
     suite.traces = static_cast<TraceKeeping>(traces->choice({"all", "failures", "none"}));
   read_contents(root, data_argument, planners, suite);
+  if (const auto claims = root.find("claims"))
+    for (const ConfigNode& entry : claims->items())
+      suite.claims.push_back(read_claim(entry, suite));
   return suite;
 }
 

@@ -6,6 +6,7 @@
 
 #include "voronaut/benchmarks/episode/loop_config.h"
 #include "voronaut/benchmarks/runner/child_process.h"
+#include "voronaut/benchmarks/suite/claim.h"
 #include "voronaut/benchmarks/suite/trial.h"
 #include "voronaut/environments/config/config_node.h"
 #include "voronaut/environments/scenario.h"
@@ -52,6 +53,7 @@ struct SuiteConfig {
   PlanningBudget budget;
   TrialLimits limits;
   TraceKeeping traces = TraceKeeping::all;
+  std::vector<Claim> claims;
 };
 
 // Reads the root of a suite file:
@@ -64,12 +66,14 @@ struct SuiteConfig {
 //   scenarios: [...]                 entries of read_scenarios()
 //   vehicles: [quadrotor, {name: quadrotor, label: slow, params: {max_speed_m_s: 1},
 //              model: {...}, regulator: pd_rate | {name: pd_rate, params: {...}}}]
-//   planners: [RRTConnect, {name: RRTConnect, label: greedy, params: {range: 0.5}}]
+//   planners: [RRTConnect, {name: RRTConnect, label: greedy, params: {range: 0.5},
+//              navigation: {...}}]   its own instead of the suite's, key by key
 //   range_finder, mapping, navigation, loop: {...}   keys of their Config
 //   budget: {state_checks: 50000, ptc_evaluations: 200000}   see budget_config.h
 //   limits: {memory_mb: 1024, cpu_s: 120, wall_s: 300}
 //   traces: all | failures | none
 //   kind: flown | known             known: static planning with the whole world given
+//   claims: [{planner: RRTConnect, outcome_share_min: 1}]   keys of Claim
 //
 // and everything it names. Each planner is made once, in a process of its own, and given its
 // parameters, each vehicle and regulator is built, so that what is wrong is found here. Throws
@@ -77,9 +81,12 @@ struct SuiteConfig {
 SuiteConfig read_suite(const ConfigNode& root, const std::string& data_argument,
                        const PlannerCatalog& planners);
 
-// One entry of `vehicles` and of `planners`.
+// One entry of `vehicles` and of `planners`; `navigation` is the suite's.
 VehicleEntry read_vehicle(const ConfigNode& entry);
-PlannerSpec read_planner(const ConfigNode& entry, const PlannerCatalog& planners);
+PlannerSpec read_planner(const ConfigNode& entry, const PlannerCatalog& planners,
+                         const NavigationConfig& navigation);
+// One entry of `claims`; what it is about must be in the suite.
+Claim read_claim(const ConfigNode& entry, const SuiteConfig& suite);
 
 // Keeps only the planners with these labels; throws std::invalid_argument for one that is not
 // there.

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <map>
 #include <optional>
 #include <stdexcept>
@@ -120,12 +121,15 @@ VehicleEntry read_vehicle(const ConfigNode& entry) {
   return read;
 }
 
-PlannerSpec read_planner(const ConfigNode& entry, const PlannerCatalog& planners) {
-  if (entry.is_map()) entry.allow_only({"name", "label", "params"});
+PlannerSpec read_planner(const ConfigNode& entry, const PlannerCatalog& planners,
+                         const NavigationConfig& navigation) {
+  if (entry.is_map()) entry.allow_only({"name", "label", "params", "navigation"});
   PlannerSpec spec;
   spec.name = known_name(name_node(entry), "planner", names_of(planners));
   spec.label = spec.name;
   read_label(entry, spec.label);
+  if (const auto own = entry.is_map() ? entry.find("navigation") : std::nullopt)
+    read_into(*own, spec.navigation.emplace(navigation));
   const auto params = entry.is_map() ? entry.find("params") : std::nullopt;
 
   std::vector<ConfigNode> values;
@@ -139,6 +143,22 @@ PlannerSpec read_planner(const ConfigNode& entry, const PlannerCatalog& planners
           try_parameters(*planners.find(spec.name), params ? params->keys() : Keys{}, spec.params))
     throw values[refusal->index].error(refusal->text);
   return spec;
+}
+
+Claim read_claim(const ConfigNode& entry, const SuiteConfig& suite) {
+  Claim claim;
+  read_into(entry, claim);
+  const auto require_known = [&](const char* key, const auto& items, const auto& name_of) {
+    std::vector<std::string> names;
+    for (const auto& item : items)
+      if (std::find(names.begin(), names.end(), name_of(item)) == names.end())
+        names.push_back(name_of(item));
+    if (const auto node = entry.find(key)) known_name(*node, key, names);
+  };
+  require_known("group", suite.scenarios, [](const ScenarioSpec& s) { return s.group(); });
+  require_known("vehicle", suite.vehicles, [](const VehicleEntry& v) { return v.vehicle.name; });
+  require_known("planner", suite.planners, [](const PlannerSpec& p) { return p.label; });
+  return claim;
 }
 
 }  // namespace voronaut

@@ -71,7 +71,7 @@ PlannedTrial SuiteTrials::trial(const VehicleEntry& vehicle, const PlannerSpec& 
   spec.planner = planner;
   spec.range_finder = suite_.range_finder;
   spec.mapping = suite_.mapping;
-  spec.navigation = suite_.navigation;
+  spec.navigation = planner.navigation.value_or(suite_.navigation);
   spec.loop = suite_.loop;
   spec.budget = suite_.budget;
   spec.repetition = static_cast<std::int64_t>(repetition);

@@ -24,6 +24,7 @@ struct PlannerSpec {
   std::string label;                          // unique within a suite; what reports call it
   std::string name;                           // in the catalogue
   std::map<std::string, std::string> params;  // by the planner's own names
+  std::optional<NavigationConfig> navigation = std::nullopt;  // instead of the suite's
 };
 
 // flown: discover the world while flying through it. known: the whole world is given, nobody moves.

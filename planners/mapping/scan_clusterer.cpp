@@ -72,15 +72,24 @@ bool ScanClusterer::runs_linked(const Run& a, const Run& b, const ScanReturns& r
       undecided = undecided || apart_sq <= reach_sq;
     }
   }
-  if (!undecided) return false;
+  return undecided && returns_linked(a, b, returns);
+}
+
+// The plain comparison, of all returns of two runs whose listed ones are within reach.
+bool ScanClusterer::returns_linked(const Run& a, const Run& b, const ScanReturns& returns) const {
+  const double link_sq = link_distance_m_ * link_distance_m_;
+  const double reach_m = link_distance_m_ + 2 * listing_distance_m_;
+  const double reach_sq = reach_m * reach_m;
+  const auto any_linked = [link_sq](std::span<const Vec2> some, std::span<const Vec2> others) {
+    for (const Vec2& p : some)
+      for (const Vec2& q : others)
+        if (distance_sq(p, q) < link_sq) return true;
+    return false;
+  };
   for (std::uint32_t k = a.listed_begin; k < a.listed_end; ++k) {
     for (std::uint32_t l = b.listed_begin; l < b.listed_end; ++l) {
       if (distance_sq(listed_world_[k], listed_world_[l]) > reach_sq) continue;
-      for (const Vec2& p : represented(a, k, returns)) {
-        for (const Vec2& q : represented(b, l, returns)) {
-          if (distance_sq(p, q) < link_sq) return true;
-        }
-      }
+      if (any_linked(represented(a, k, returns), represented(b, l, returns))) return true;
     }
   }
   return false;

@@ -49,6 +49,7 @@ class ScanClusterer {
   }
   void link_runs(const ScanReturns& returns);
   bool runs_linked(const Run& a, const Run& b, const ScanReturns& returns) const;
+  bool returns_linked(const Run& a, const Run& b, const ScanReturns& returns) const;
   std::span<const Vec2> represented(const Run& run, std::uint32_t listed,
                                     const ScanReturns& returns) const;
   void list_clusters(const ScanReturns& returns);

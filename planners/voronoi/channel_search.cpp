@@ -17,6 +17,36 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 // right end; `left` and `right` are the cross products of the ray with the way to the ends.
 double fraction(double left, double right) { return left / (left - right); }
 
+// What a cone leaves of a gate: the part [from, to] inside it, as fractions from the gate's left
+// end to its right, and whether there is something beside it.
+struct VisiblePart {
+  double from;
+  double to;
+  bool beside_left;
+  bool beside_right;
+  bool in_cone;
+};
+
+// All as seen from the cone's root.
+VisiblePart visible_part(const Vec2& left_ray, const Vec2& right_ray, const Vec2& gate_left,
+                         const Vec2& gate_right) {
+  const double l0 = cross(left_ray, gate_left);
+  const double l1 = cross(left_ray, gate_right);
+  const double r0 = cross(right_ray, gate_left);
+  const double r1 = cross(right_ray, gate_right);
+  const double l_slack = kSlack_m * left_ray.lpNorm<1>();
+  const double r_slack = kSlack_m * right_ray.lpNorm<1>();
+  VisiblePart part{};
+  part.from = l0 <= l_slack ? 0 : l1 >= 0 ? 1 : fraction(l0, l1);
+  part.to = r1 >= -r_slack ? 1 : r0 <= 0 ? 0 : fraction(r0, r1);
+  part.beside_left = l0 > l_slack;
+  part.beside_right = r1 < -r_slack;
+  const bool all_left = part.beside_left && l1 > l_slack;
+  const bool all_right = part.beside_right && r0 < -r_slack;
+  part.in_cone = !all_left && !all_right && part.from <= part.to;
+  return part;
+}
+
 }  // namespace
 
 std::optional<Channel> ChannelSearch::find(const DelaunayTriangulation& delaunay,
@@ -105,22 +135,12 @@ void ChannelSearch::cross(std::int32_t index, HalfEdgeId exit) {
   const Gate g = gate(exit);
   if (!g.open) return;
   const Node node = nodes_[index];
-  const Vec2 left_ray = node.left - node.root;
-  const Vec2 right_ray = node.right - node.root;
-  const double l0 = voronaut::cross(left_ray, g.left - node.root);
-  const double l1 = voronaut::cross(left_ray, g.right - node.root);
-  const double r0 = voronaut::cross(right_ray, g.left - node.root);
-  const double r1 = voronaut::cross(right_ray, g.right - node.root);
-  const double l_slack = kSlack_m * left_ray.lpNorm<1>();
-  const double r_slack = kSlack_m * right_ray.lpNorm<1>();
-  const double from = l0 <= l_slack ? 0 : l1 >= 0 ? 1 : fraction(l0, l1);
-  const double to = r1 >= -r_slack ? 1 : r0 <= 0 ? 0 : fraction(r0, r1);
+  const auto [from, to, beside_left, beside_right, in_cone] = visible_part(
+      node.left - node.root, node.right - node.root, g.left - node.root, g.right - node.root);
   const auto at = [&](double t) -> Vec2 {
     return t <= 0 ? g.left : t >= 1 ? g.right : Vec2(g.left + t * (g.right - g.left));
   };
-  const bool beside_left = l0 > l_slack, all_left = beside_left && l1 > l_slack;
-  const bool beside_right = r1 < -r_slack, all_right = beside_right && r0 < -r_slack;
-  if (!all_left && !all_right && from <= to) {
+  if (in_cone) {
     Node child = node;
     child.gate = exit;
     child.parent = index;

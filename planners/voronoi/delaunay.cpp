@@ -206,9 +206,10 @@ void DelaunayTriangulation::flip(HalfEdgeId h) {
 }
 
 Vec2 DelaunayTriangulation::compute_circumcenter(TriangleId t) const {
-  const Lattice& a = lattice_[origin_[3 * t]];
-  const Lattice& b = lattice_[origin_[3 * t + 1]];
-  const Lattice& c = lattice_[origin_[3 * t + 2]];
+  const auto [i, j, k] = std::array{origin(3 * t), origin(3 * t + 1), origin(3 * t + 2)};
+  const Lattice& a = lattice_[i];
+  const Lattice& b = lattice_[j];
+  const Lattice& c = lattice_[k];
   const std::int64_t bx = std::int64_t{b.x} - a.x, by = std::int64_t{b.y} - a.y;
   const std::int64_t cx = std::int64_t{c.x} - a.x, cy = std::int64_t{c.y} - a.y;
   const lattice::Int128 b_sq = bx * bx + by * by;
@@ -216,7 +217,7 @@ Vec2 DelaunayTriangulation::compute_circumcenter(TriangleId t) const {
   const auto x = static_cast<double>(cy * b_sq - by * c_sq);
   const auto y = static_cast<double>(bx * c_sq - cx * b_sq);
   const auto divisor = 2 * static_cast<double>(bx * cy - by * cx);
-  return site_[origin_[3 * t]] + kQuantum_m * Vec2(x / divisor, y / divisor);
+  return site_[i] + kQuantum_m * Vec2(x / divisor, y / divisor);
 }
 
 }  // namespace voronaut

@@ -4,6 +4,20 @@
 
 namespace voronaut {
 
+namespace {
+
+// Of the terminals at this vertex.
+std::size_t cheapest(std::span<const Terminal> terminals, VertexId v) {
+  std::size_t best = terminals.size();
+  for (std::size_t i = 0; i < terminals.size(); ++i)
+    if (terminals[i].vertex == v &&
+        (best == terminals.size() || terminals[i].cost_m < terminals[best].cost_m))
+      best = i;
+  return best;
+}
+
+}  // namespace
+
 bool GraphSearch::run(const VoronoiGraph& graph, std::span<const Terminal> starts,
                       std::span<const Terminal> goals, const Vec2& goal, Result& result) {
   const auto end = static_cast<VertexId>(graph.vertices().size());  // stands for the goal itself
@@ -34,14 +48,6 @@ bool GraphSearch::run(const VoronoiGraph& graph, std::span<const Terminal> start
   result.vertices.clear();
   for (VertexId v = parent_[end]; v >= 0; v = parent_[v]) result.vertices.push_back(v);
   std::reverse(result.vertices.begin(), result.vertices.end());
-  const auto cheapest = [](std::span<const Terminal> terminals, VertexId v) {
-    std::size_t best = terminals.size();
-    for (std::size_t i = 0; i < terminals.size(); ++i)
-      if (terminals[i].vertex == v &&
-          (best == terminals.size() || terminals[i].cost_m < terminals[best].cost_m))
-        best = i;
-    return best;
-  };
   result.start = cheapest(starts, result.vertices.front());
   result.goal = cheapest(goals, result.vertices.back());
   return true;

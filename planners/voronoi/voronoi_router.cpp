@@ -31,6 +31,7 @@ Bounds common(const Bounds& a, const Bounds& b) {
 
 std::vector<Terminal> terminals(const std::vector<Lead>& leads) {
   std::vector<Terminal> all;
+  all.reserve(leads.size());
   for (const Lead& lead : leads) all.push_back({lead.vertex, lead.length_m});
   return all;
 }
@@ -150,6 +151,7 @@ Route VoronoiRouter::route_near(const RouteQuery& query, double tolerance_m) {
       closest_free_places(sites, domain_, query.goal, tolerance_m, radius_m_, kPlaceMargin_m);
   const Approach from = approach(query.start, query.motion_is_clear);
   std::vector<Approach> ways;
+  ways.reserve(places.size());
   for (const Vec2& place : places) ways.push_back(approach(place, {}));
 
   // One flood from the start tells which of them can be reached.

@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include "voronaut/environments/config/config_reader.h"
 #include "voronaut/environments/config/nearest_name.h"
 #include "voronaut/tests/benchmarks/small_suite.h"
 
@@ -31,6 +32,12 @@ std::vector<std::string> planner_names() {
   const PlannerCatalog catalog = PlannerCatalog::built_in();
   for (const PlannerEntry* entry : catalog.entries()) names.push_back(entry->name);
   return names;
+}
+
+std::vector<std::string> navigation_keys() {
+  ConfigKeys keys;
+  NavigationConfig().visit(keys);
+  return keys.names;
 }
 
 // A suite that is right but for the part that is replaced.
@@ -87,6 +94,25 @@ TEST(SuiteConfig, ReadsEverySection) {
   EXPECT_EQ(suite.repetitions, 4);
 }
 
+TEST(SuiteConfig, LetsAPlannerFlyWithANavigationOfItsOwn) {
+  const SuiteConfig suite =
+      read(suite_with("planners",
+                      "[RRTConnect, {name: RRTConnect, label: b, navigation: {off_path_m: 2}}]") +
+           "navigation: {gaze: path}\n");
+  EXPECT_FALSE(suite.planners[0].navigation);
+  ASSERT_TRUE(suite.planners[1].navigation);
+  EXPECT_EQ(suite.planners[1].navigation->off_path_m, 2);
+  EXPECT_EQ(suite.planners[1].navigation->gaze, Gaze::path) << "the rest is the suite's";
+}
+
+TEST(SuiteConfig, ReadsWhatASuiteClaims) {
+  const SuiteConfig suite =
+      read(suite_with("claims", "[{planner: RRTConnect, outcome_share_min: 0.9}, {}]"));
+  ASSERT_EQ(suite.claims.size(), 2U);
+  EXPECT_EQ(suite.claims[0].planner, "RRTConnect");
+  EXPECT_EQ(suite.claims[0].outcome_share_min, 0.9);
+}
+
 TEST(SuiteConfig, PassesFlagsToPlannersAsTheyWantThem) {
   const SuiteConfig suite = read(suite_with(
       "planners", "[{name: RRTConnect, params: {intermediate_states: true, range: 2}}]"));
@@ -117,7 +143,7 @@ TEST(SuiteConfig, SaysInOneLineWhatIsWrong) {
   unsetenv("VORONAUT_DATA");  // one of the messages is about its absence
   const std::string keys =
       "suite, kind, seed, repetitions, repeat, data, scenarios, vehicles, planners, range_finder, "
-      "mapping, navigation, loop, budget, limits, traces";
+      "mapping, navigation, loop, budget, limits, traces, claims";
   const std::string count = "expected a whole number from ";
   const std::vector<std::pair<std::string, std::string>> cases = {
       {"", "s.yaml: the file is empty"},
@@ -189,8 +215,11 @@ TEST(SuiteConfig, SaysInOneLineWhatIsWrong) {
        "s.yaml:4: key 'planners[1]': the name 'RRTConnect' is taken (line 4); give this one a "
        "label"},
       {suite_with("planners", "[{name: RRTConnect, parms: {range: 1}}]"),
-       "s.yaml:4: key 'planners[0].parms': unknown key (allowed: name, label, params; did you "
-       "mean 'params'?)"},
+       "s.yaml:4: key 'planners[0].parms': unknown key (allowed: name, label, params, "
+       "navigation; did you mean 'params'?)"},
+      {suite_with("planners", "[{name: RRTConnect, navigation: {gase: path}}]"),
+       "s.yaml:4: key 'planners[0].navigation.gase': unknown key (allowed: " +
+           join_names(navigation_keys()) + "; did you mean 'gaze'?)"},
       {suite_with("planners", "[{name: RRTConnect, params: {rang: 1}}]"),
        "s.yaml:4: key 'planners[0].params.rang': planner 'RRTConnect' has no parameter 'rang'; did "
        "you mean 'range'? It has: intermediate_states range"},
@@ -218,6 +247,13 @@ TEST(SuiteConfig, SaysInOneLineWhatIsWrong) {
        "s.yaml:5: key 'limits.memory_mb': expected a number from 16 to 1000000, got '1'"},
       {suite_with("traces", "some"),
        "s.yaml:5: key 'traces': expected one of all, failures, none, got 'some'"},
+      {suite_with("claims", "[{planner: RRTConect}]"),
+       "s.yaml:5: key 'claims[0].planner': no planner 'RRTConect' (allowed: RRTConnect; did you "
+       "mean 'RRTConnect'?)"},
+      {suite_with("claims", "[{outcome: crash}]"),
+       "s.yaml:5: key 'claims[0].outcome': expected one of goal_reached, infeasible, got 'crash'"},
+      {suite_with("claims", "[{outcome_share_min: 100}]"),
+       "s.yaml:5: key 'claims[0].outcome_share_min': expected a number from 0 to 1, got '100'"},
   };
   for (const auto& [text, message] : cases) {
     const std::string error = error_of(text);

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <map>
 #include <numbers>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -89,6 +90,17 @@ TEST(WorldGenerators, DrawTheSameWorldEverywhere) {
     ASSERT_EQ(golden.count(name), 1U) << name << " " << fingerprint(generator.generate(1));
     EXPECT_EQ(fingerprint(generator.generate(1)), golden.at(name)) << name;
     EXPECT_NE(fingerprint(generator.generate(2)), golden.at(name)) << name;
+  }
+}
+
+TEST(WorldGenerators, DrawEqualWorldsFromEqualSeedsAndOthersFromOthers) {
+  for (const std::string& name : WorldGenerator::names()) {
+    std::set<std::uint64_t> worlds;
+    for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+      const std::uint64_t world = fingerprint(WorldGenerator::named(name).generate(seed));
+      EXPECT_EQ(fingerprint(WorldGenerator::named(name).generate(seed)), world) << name << seed;
+      EXPECT_TRUE(worlds.insert(world).second) << name << " seed " << seed;
+    }
   }
 }
 

@@ -1,0 +1,153 @@
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include <benchmark/benchmark.h>
+#include <ompl/util/Console.h>
+#include <ompl/util/RandomNumbers.h>
+
+#include "voronaut/benchmarks/micro/replan_course.h"
+#include "voronaut/planners/navigation/plan_request.h"
+#include "voronaut/planners/navigation/shortcut.h"
+#include "voronaut/planners/voronoi/voronoi_router.h"
+#include "voronaut/reports/summary/statistics.h"
+
+// What a replan costs, planner beside planner: the same questions on the same maps through the same
+// exact checker (replan_course.h). Lengths are compared behind the executive's shortcut, which
+// every planner's path goes through.
+namespace voronaut::micro {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double us_since(Clock::time_point start) {
+  return std::chrono::duration<double, std::micro>(Clock::now() - start).count();
+}
+
+const std::vector<ReplanCourse>& courses(const std::string& family, std::int64_t worlds) {
+  static std::map<std::string, std::vector<ReplanCourse>> made;
+  std::vector<ReplanCourse>& list = made[family];
+  for (auto seed = static_cast<std::int64_t>(list.size()); seed < worlds; ++seed)
+    list.emplace_back(family, static_cast<std::uint64_t>(seed) + 1);
+  return list;
+}
+
+void count_times(benchmark::State& state, std::vector<double> times_us) {
+  std::sort(times_us.begin(), times_us.end());
+  double sum_us = 0;
+  for (const double us : times_us) sum_us += us;
+  state.SetIterationTime(sum_us / 1e6);
+  state.counters["replans"] = static_cast<double>(times_us.size());
+  state.counters["median_us"] = quantile_of_sorted(times_us, 0.5);
+  state.counters["p99_us"] = quantile_of_sorted(times_us, 0.99);
+  state.counters["max_us"] = times_us.back();
+}
+
+// One planner asked in all courses; its lengths are summed where it found a path, and its failures
+// counted.
+void replan(benchmark::State& state, const std::string& family, const std::string& name,
+            std::uint64_t state_checks) {
+  ompl::msg::setLogLevel(ompl::msg::LOG_NONE);
+  const PlannerCatalog planners = PlannerCatalog::built_in();
+  for (auto _ : state) {
+    ompl::RNG::setSeed(1);
+    std::vector<double> times_us;
+    double length_m = 0, voronoi_m = 0, failed = 0;
+    for (const ReplanCourse& course : courses(family, state.range(0))) {
+      PlanningProblem problem(course.problem());
+      PlanningProblem reference(course.problem());
+      const PlannerEntry& entry = *planners.find(name);
+      const PlannerEntry& voronoi = *planners.find("VoronoiRoadmap");
+      const auto planner = entry.make(problem.space_information());
+      const auto shortest = voronoi.make(reference.space_information());
+      course.fly(planners, [&](const ObstacleSnapshot& obstacles, const Vec2& p) {
+        problem.update(obstacles, p);
+        const Clock::time_point start = Clock::now();
+        const Plan plan = ask_for_plan(*planner, entry.traits, problem, {state_checks, 10'000'000});
+        times_us.push_back(us_since(start));
+        reference.update(obstacles, p);
+        const Path other = ask_for_plan(*shortest, voronoi.traits, reference, {}).path;
+        if (plan.path.empty() || other.empty()) {
+          failed += 1;
+          return;
+        }
+        length_m += shortcut(plan.path, problem.geometry()).length_m();
+        voronoi_m += shortcut(other, reference.geometry()).length_m();
+      });
+    }
+    count_times(state, std::move(times_us));
+    state.counters["failed"] = failed;
+    state.counters["length_ratio"] = length_m / voronoi_m;  // to VoronoiRoadmap's paths
+  }
+}
+
+// Where VoronoiRoadmap's time goes: working the new points into the diagram (`observe`), making the
+// graph of it and searching it (`route`).
+void replan_parts(benchmark::State& state, const std::string& family) {
+  ompl::msg::setLogLevel(ompl::msg::LOG_NONE);
+  const PlannerCatalog planners = PlannerCatalog::built_in();
+  for (auto _ : state) {
+    std::vector<double> times_us;
+    double observe_us = 0, graph_us = 0, route_us = 0, points = 0;
+    for (const ReplanCourse& course : courses(family, state.range(0))) {
+      VoronoiRouter router;
+      const ProblemConfig& config = course.problem();
+      course.fly(planners, [&](const ObstacleSnapshot& obstacles, const Vec2& p) {
+        const std::vector<Vec2> places = {p, config.goal_world};
+        const Clock::time_point start = Clock::now();
+        router.observe(obstacles.points(), config.bounds_world, config.clearance_min_m, places);
+        const double observed_us = us_since(start);
+        router.graph();
+        const double built_us = us_since(start);
+        RouteQuery query;
+        query.start = p;
+        query.goal = config.goal_world;
+        benchmark::DoNotOptimize(router.route(query));
+        times_us.push_back(us_since(start));
+        observe_us += observed_us;
+        graph_us += built_us - observed_us;
+        route_us += times_us.back() - built_us;
+        points += static_cast<double>(obstacles.points().size());
+      });
+    }
+    const double all_us = observe_us + graph_us + route_us;
+    state.counters["points"] = points / static_cast<double>(times_us.size());
+    state.counters["observe_share"] = observe_us / all_us;
+    state.counters["graph_share"] = graph_us / all_us;
+    state.counters["route_share"] = route_us / all_us;
+    count_times(state, std::move(times_us));
+  }
+}
+
+const char* const kForest = "{name: forest, density_per_m2: 0.15}";
+const char* const kRooms = "{name: rooms}";
+
+void add(const std::string& where, const std::string& family, std::int64_t worlds) {
+  const auto once = [&](const std::string& name, auto&& run) {
+    benchmark::RegisterBenchmark(("replan/" + where + "/" + name).c_str(), run)
+        ->Arg(worlds)
+        ->Iterations(1)
+        ->UseManualTime()
+        ->Unit(benchmark::kMillisecond);
+  };
+  const auto asks = [&](const std::string& name, std::uint64_t state_checks) {
+    return [=](benchmark::State& state) { replan(state, family, name, state_checks); };
+  };
+  once("VoronoiRoadmap", asks("VoronoiRoadmap", 50'000));
+  once("VoronoiRoadmap_parts", [=](benchmark::State& state) { replan_parts(state, family); });
+  once("RRTConnect", asks("RRTConnect", 50'000));
+  for (const std::uint64_t checks : {500, 1000, 2000, 4000, 8000, 16'000})
+    once("BITstar_" + std::to_string(checks), asks("BITstar", checks));
+}
+
+const bool added = [] {
+  add("forest", kForest, 30);
+  add("rooms", kRooms, 30);
+  return true;
+}();
+
+}  // namespace
+}  // namespace voronaut::micro

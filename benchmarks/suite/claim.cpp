@@ -1,0 +1,117 @@
+#include "voronaut/benchmarks/suite/claim.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "voronaut/environments/config/config_reader.h"
+#include "voronaut/reports/summary/statistics.h"
+
+namespace voronaut {
+
+namespace {
+
+bool is_about(const Claim& claim, const RunRecord& record) {
+  const auto fits = [](const std::string& wanted, const std::string& given) {
+    return wanted.empty() || wanted == given;
+  };
+  return fits(claim.group, record.scenario_group) && fits(claim.vehicle, record.vehicle) &&
+         fits(claim.planner, record.planner);
+}
+
+std::string subject(const Claim& claim) {
+  std::string text;
+  for (const std::string& part : {claim.planner, claim.vehicle, claim.group})
+    if (!part.empty()) text += (text.empty() ? "" : ", ") + part;
+  return text.empty() ? "every trial" : text;
+}
+
+std::string rounded(double value) { return number_text(std::round(value * 1000) / 1000); }
+
+// Collects the bounds that a claim states.
+class Examination {
+ public:
+  explicit Examination(const Claim& claim) : finding_{subject(claim) + ":", true} {}
+
+  void add(const std::string& bound, const std::string& measured, bool holds) {
+    finding_.text += (finding_.text.ends_with(':') ? " " : "; ") + bound + " (" + measured + ")";
+    finding_.holds = finding_.holds && holds;
+  }
+  void fail(const std::string& reason) {
+    finding_.text += " " + reason;
+    finding_.holds = false;
+  }
+  Finding finding() const { return finding_; }
+
+ private:
+  Finding finding_;
+};
+
+std::string count_text(std::int64_t count, std::size_t n) {
+  return std::to_string(count) + " of " + std::to_string(n);
+}
+
+void add_ratio(Examination& examination, const std::string& name, double bound, double value,
+               std::size_t arrivals) {
+  const bool judged = arrivals >= kFewestArrivals;
+  examination.add(
+      name + " <= " + number_text(bound),
+      rounded(value) + " over " + std::to_string(arrivals) + (judged ? "" : ": too few to judge"),
+      !judged || value <= bound);
+}
+
+void examine_ratios(const Claim& claim, std::vector<double> ratios, Examination& examination) {
+  const Claim nothing;
+  const bool about_mean = claim.path_ratio_mean_max < nothing.path_ratio_mean_max;
+  const bool about_tail = claim.path_ratio_p95_max < nothing.path_ratio_p95_max;
+  if (!about_mean && !about_tail) return;
+  if (ratios.empty()) return examination.fail("no trial reached the goal");
+  std::sort(ratios.begin(), ratios.end());
+  const double mean =
+      std::accumulate(ratios.begin(), ratios.end(), 0.0) / static_cast<double>(ratios.size());
+  if (about_mean)
+    add_ratio(examination, "mean path ratio", claim.path_ratio_mean_max, mean, ratios.size());
+  if (about_tail)
+    add_ratio(examination, "95 % of path ratios", claim.path_ratio_p95_max,
+              quantile_of_sorted(ratios, 0.95), ratios.size());
+}
+
+}  // namespace
+
+Finding examine(const Claim& claim, const std::vector<RunRecord>& records) {
+  const Claim nothing;
+  std::size_t n = 0;
+  std::int64_t as_claimed = 0, collisions = 0;
+  double clearance_m = kAbsent;
+  std::vector<double> ratios;
+  for (const RunRecord& record : records) {
+    if (!is_about(claim, record)) continue;
+    ++n;
+    as_claimed += record.outcome == claim.outcome ? 1 : 0;
+    collisions += record.outcome == Outcome::collision ? 1 : 0;
+    clearance_m = std::fmin(clearance_m, record.clearance_min_m);
+    if (!std::isnan(record.path_ratio)) ratios.push_back(record.path_ratio);
+  }
+  Examination examination(claim);
+  if (n == 0) {
+    examination.fail("no such trial");
+    return examination.finding();
+  }
+  const auto share = [n](std::int64_t count) {
+    return static_cast<double>(count) / static_cast<double>(n);
+  };
+  if (claim.outcome_share_min > nothing.outcome_share_min)
+    examination.add(std::string(to_string(claim.outcome)) +
+                        " >= " + number_text(100 * claim.outcome_share_min) + " %",
+                    count_text(as_claimed, n), share(as_claimed) >= claim.outcome_share_min);
+  if (claim.collision_share_max < nothing.collision_share_max)
+    examination.add("collisions <= " + number_text(100 * claim.collision_share_max) + " %",
+                    count_text(collisions, n), share(collisions) <= claim.collision_share_max);
+  if (claim.clearance_min_m > nothing.clearance_min_m)
+    examination.add("clearance >= " + number_text(claim.clearance_min_m) + " m",
+                    rounded(clearance_m) + " m", clearance_m >= claim.clearance_min_m);
+  examine_ratios(claim, std::move(ratios), examination);
+  return examination.finding();
+}
+
+}  // namespace voronaut

@@ -1,0 +1,52 @@
+#include "voronaut/benchmarks/results/evidence_page.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace voronaut {
+namespace {
+
+using ::testing::HasSubstr;
+
+SuiteEvidence evidence(Outcome last) {
+  SuiteEvidence evidence{"evidence-wood", "Ten woods", "abc", "2020-01-01T00:00:00Z", "d1", {}, {}};
+  for (int i = 0; i < 10; ++i) {
+    RunRecord record;
+    record.scenario_group = "wood";
+    record.vehicle = "ideal";
+    record.planner = "a";
+    record.outcome = i < 9 ? Outcome::goal_reached : last;
+    record.clearance_min_m = 0.3 + 0.01 * i;
+    record.path_ratio = i < 9 ? 1.25 : kAbsent;
+    evidence.records.push_back(record);
+  }
+  Claim safe;
+  safe.collision_share_max = 0;
+  evidence.claims.push_back(safe);
+  return evidence;
+}
+
+TEST(EvidencePage, HasARowWithCountsIntervalsAndTheSmallestClearance) {
+  const EvidencePage page = evidence_page({evidence(Outcome::stuck)});
+  EXPECT_TRUE(page.holds);
+  EXPECT_THAT(
+      page.markdown,
+      HasSubstr("1 suites, 10 flights, 0 collisions, smallest clearance 0.300 m. Every claim "
+                "holds."));
+  EXPECT_THAT(page.markdown, HasSubstr("## evidence-wood\n\nTen woods\n\n- holds: every trial: "
+                                       "collisions <= 0 % (0 of 10)\n"));
+  EXPECT_THAT(page.markdown, HasSubstr("59.58 .. 98.21"));  // Wilson's interval of 9 in 10
+  EXPECT_THAT(page.markdown, HasSubstr("1 stuck"));
+  EXPECT_THAT(page.markdown, HasSubstr("1.250 [1.250, 1.250]"));
+  EXPECT_THAT(page.markdown, HasSubstr("Flown 2020-01-01T00:00:00Z by commit abc, digest `d1`."));
+}
+
+TEST(EvidencePage, SaysWhichClaimIsBroken) {
+  const EvidencePage page = evidence_page({evidence(Outcome::stuck), evidence(Outcome::collision)});
+  EXPECT_FALSE(page.holds);
+  EXPECT_THAT(page.markdown, HasSubstr("**Not every claim holds.**"));
+  EXPECT_THAT(page.markdown, HasSubstr("- **broken**: every trial: collisions <= 0 % (1 of 10)\n"));
+}
+
+}  // namespace
+}  // namespace voronaut
