@@ -148,6 +148,19 @@ TEST_F(CommandLine, DrawsScenariosAndForeignWorlds) {
   EXPECT_EQ(picture.err, "voronaut: -o 'c.gif': expected a name that ends in .svg\n");
 }
 
+TEST_F(CommandLine, FindsNothingWrongWithTheSuitesThatShip) {
+  std::istringstream lines(voronaut("list suites").out);
+  int suites = 0;
+  for (std::string line; std::getline(lines, line); ++suites) {
+    const std::string name = line.substr(0, line.find(' '));
+    const Answer answer = voronaut("check " + name);
+    if (answer.err.find("which is not known: give --data") != std::string::npos) continue;
+    EXPECT_EQ(answer.exit_code, 0) << answer.err;
+    EXPECT_THAT(answer.out, HasSubstr(" trials\n")) << name;
+  }
+  EXPECT_GE(suites, 6);
+}
+
 TEST_F(CommandLine, RunsASuiteAndAnswersQuestionsAboutIt) {
   write_open_suite();
   const Answer run = voronaut("run open.yaml --out r --jobs 2");
