@@ -53,6 +53,9 @@ void replan(benchmark::State& state, const std::string& family, const std::strin
             std::uint64_t state_checks) {
   ompl::msg::setLogLevel(ompl::msg::LOG_NONE);
   const PlannerCatalog planners = PlannerCatalog::built_in();
+  PlanningBudget budget;
+  budget.state_checks = state_checks;
+  budget.ptc_evaluations = 10'000'000;
   for (auto _ : state) {
     ompl::RNG::setSeed(1);
     std::vector<double> times_us;
@@ -67,7 +70,7 @@ void replan(benchmark::State& state, const std::string& family, const std::strin
       course.fly(planners, [&](const ObstacleSnapshot& obstacles, const Vec2& p) {
         problem.update(obstacles, p);
         const double start_us = now_us();
-        const Plan plan = ask_for_plan(*planner, entry.traits, problem, {state_checks, 10'000'000});
+        const Plan plan = ask_for_plan(*planner, entry.traits, problem, budget);
         times_us.push_back(now_us() - start_us);
         reference.update(obstacles, p);
         const Path other = ask_for_plan(*shortest, voronoi.traits, reference, {}).path;
