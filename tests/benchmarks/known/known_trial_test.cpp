@@ -18,7 +18,7 @@ const std::string kSuite =
     "  - {name: walled, world: {segments: [[[2, -1], [2, 6]]]}, bounds: [[-1, -1], [6, 6]],"
     " start: [0, 0], goal: [5, 5]}\n"
     "vehicles: [quadrotor]\nplanners: [RRTConnect, RRTstar, VoronoiRoadmap]\n"
-    "budget: {state_checks: 2000, ptc_evaluations: 8000}\n";
+    "budget: {state_checks: 20000, ptc_evaluations: 80000}\n";
 
 std::map<std::string, RunRecord> solve_all() {
   const PlannerCatalog planners = PlannerCatalog::built_in();
