@@ -107,7 +107,11 @@ RunRecord run_known_trial(const TrialSpec& spec, const PlannerCatalog& planners)
   record.end_x_m = path.back().state.p_world.x();
   record.end_y_m = path.back().state.p_world.y();
   record.spl = spl(success, record.shortest_length_m, record.path_length_m);
-  if (success) record.path_ratio = record.path_length_m / record.shortest_length_m;
+  if (success) {
+    // As in flight: a path may end at the goal's tolerance, the rest of the way counts.
+    const double left_m = (path.back().state.p_world.head<2>() - spec.scenario.goal_world).norm();
+    record.path_ratio = (record.path_length_m + left_m) / record.shortest_length_m;
+  }
   record.state_digest = state_digest(path);
   return record;
 }

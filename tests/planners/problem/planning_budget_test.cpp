@@ -95,16 +95,14 @@ TEST(SolveWithin, StopsAnAnytimePlannerAtItsFirstSolutionIfTold) {
 }
 
 TEST(SolveWithin, LetsAnAnytimePlannerUseItsWholeBudgetIfTold) {
-  for (const char* name : {"RRTstar", "BITstar", "LBTRRT"}) {
-    const Solved whole =
-        solve(name, {.state_checks = 3000, .ptc_evaluations = 9000, .stop = Stop::budget});
-    EXPECT_EQ(whole.report.status, ompl::base::PlannerStatus::EXACT_SOLUTION) << name;
-    EXPECT_TRUE(whole.report.end == SolveEnd::state_checks ||
-                whole.report.end == SolveEnd::ptc_evaluations)
-        << name;
-    const Solved first = solve(name, {.state_checks = 3000, .stop = Stop::first});
-    EXPECT_LE(whole.length_m, first.length_m) << name;
-  }
+  // One that never knows that it is done: BIT* ends by itself where the straight way is free.
+  const Solved whole =
+      solve("RRTstar", {.state_checks = 3000, .ptc_evaluations = 9000, .stop = Stop::budget});
+  EXPECT_EQ(whole.report.status, ompl::base::PlannerStatus::EXACT_SOLUTION);
+  EXPECT_TRUE(whole.report.end == SolveEnd::state_checks ||
+              whole.report.end == SolveEnd::ptc_evaluations);
+  const Solved first = solve("RRTstar", {.state_checks = 3000, .stop = Stop::first});
+  EXPECT_LE(whole.length_m, first.length_m);
 }
 
 TEST(SolveWithin, SaysThatAPlannerEndedByItself) {

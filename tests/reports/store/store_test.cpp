@@ -206,8 +206,8 @@ TEST_F(Store, SaysThatTheSchemaIsAnother) {
   sqlite::Database database(file(), sqlite::OpenMode::existing);
   database.execute("PRAGMA user_version = 7");
   EXPECT_EQ(error_of([&] { ResultStore::open(file()); }),
-            file().string() + ": schema version 7, this program reads version 1");
-  database.execute("PRAGMA user_version = 1");
+            file().string() + ": schema version 7, this program reads version 2");
+  database.execute("PRAGMA user_version = 2");
   database.execute("ALTER TABLE trials DROP COLUMN spl");
   EXPECT_THAT(error_of([&] { ResultStore::create(file()); }),
               HasSubstr("path_ratio, clearance_min_m"));
