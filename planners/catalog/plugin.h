@@ -17,9 +17,11 @@ inline constexpr int kPluginVersion = 1;
 //
 // Compile it against the same OMPL and with the same compiler as the program. It need not link
 // anything of Voronaut: the program's own symbols are there when it is loaded.
+// NOLINTBEGIN(bugprone-macro-parentheses): a parameter's name cannot stand in parentheses
 #define VORONAUT_PLUGIN(planners)                                                   \
   extern "C" __attribute__((visibility("default"))) int voronaut_plugin_version() { \
     return ::voronaut::kPluginVersion;                                              \
   }                                                                                 \
   extern "C" __attribute__((visibility("default"))) void voronaut_add_planners(     \
       ::voronaut::PlannerCatalog& planners)
+// NOLINTEND(bugprone-macro-parentheses)
