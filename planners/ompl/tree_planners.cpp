@@ -39,8 +39,7 @@ std::vector<PlannerEntry> tree_planners() {
       ompl_entry<og::InformedRRTstar>("InformedRRTstar", "RRTstar on an informed subset, anytime"),
       ompl_entry<og::KPIECE1>("KPIECE1", "KPIECE on one grid level"),
       ompl_entry<og::LBKPIECE1>("LBKPIECE1", "lazy bidirectional KPIECE on one grid level"),
-      ompl_entry<Anytime<og::LBTRRT>>("LBTRRT", "lower bound tree RRT, anytime",
-                                      Reproducible::one_machine),
+      ompl_entry<Anytime<og::LBTRRT>>("LBTRRT", "lower bound tree RRT, anytime", Reproducible::no),
       ompl_entry<Anytime<og::LazyLBTRRT>>(
           "LazyLBTRRT", "lazy lower bound tree RRT, anytime (1.5.2 aborts on some problems)",
           Reproducible::one_machine),
