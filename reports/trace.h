@@ -37,9 +37,28 @@ struct TraceFrame {
   double target_x_m = 0, target_y_m = 0;  // the setpoint
   int mode = -1;                          // index into Trace::modes, -1: none
   int plan = -1;                          // index into Trace::plans, -1: none
+  int search = -1;                        // the latest search by then (TraceEdge), -1: none kept
+  int replan = -1;                        // index into Trace::replan_reasons, -1: kept its plan
   std::size_t known_points = 0;           // how many of Trace::known_points were known by then
+  double governed_share = 1;              // of the speed asked for, as the governor allowed it
+  std::vector<TracePoint> tube;           // corners of the governor's proved track; empty: none
   // The scan taken now, rightmost beam first; empty: none. Beyond (0, max range): no return.
   std::vector<float> range_m;
+};
+
+// An edge of the roadmap or of the trees that a planner searched, from its first such search to its
+// last: neighbouring searches share most of a roadmap.
+struct TraceEdge {
+  TracePoint a, b;
+  int first_search = 0;
+  int last_search = 0;
+};
+
+// From frame `frame` on what had label `from` has label `into`.
+struct TraceMerge {
+  std::uint32_t frame = 0;
+  std::uint32_t from = 0;
+  std::uint32_t into = 0;
 };
 
 struct Trace {
@@ -49,10 +68,15 @@ struct Trace {
   double field_of_view_rad = 0;
   double max_range_m = 0;
   std::vector<std::string> modes;
+  std::vector<std::string> replan_reasons;
   std::vector<std::vector<TracePoint>> plans;  // in the order in which they were made
   std::vector<TracePoint> known_points;        // in the order in which they became known
-  std::vector<std::uint32_t> cluster_of;       // label of each known point at the end
+  std::vector<std::uint32_t> cluster_of;       // label of each known point when it became known
+  std::vector<TraceMerge> merges;              // in order of time
   std::vector<std::vector<TracePoint>> hulls;  // of the clusters at the end
+  std::vector<TraceEdge> edges;                // in the order of their first search
+  int searches = 0;                            // that there were
+  int kept_searches = 0;  // of them, the first ones: what a replay has room for
   std::vector<TraceFrame> frames;
 };
 

@@ -18,19 +18,19 @@ EpisodeLog fly(Flight& flight) {
     const double now_s = static_cast<double>(tick) * period_s;
     flight.log.ticks.push_back(
         {now_s, state, scenario.world->clearance_m(state.p_world.head<2>())});
+    const bool scan_is_due = flight.scan_is_due(tick);
     flight.log.step.measure([&] {
-      const bool scan_is_due = flight.scan_is_due(tick);
       if (scan_is_due) {
         flight.sense(state, now_s);
         flight.log.mapping.measure([&] { flight.update_map(); });
         flight.log.planning.measure([&] { flight.plan(state, now_s); });
       }
       setpoint = flight.navigate(state, now_s);
-      if (scan_is_due) flight.record_scan(setpoint);
       const Command command = flight.regulator->regulate(setpoint, state);
       state = flight.model->step(state, applied, period_s);
       applied = command;  // what is commanded now acts one step later
     });
+    if (scan_is_due) flight.record_scan(setpoint);
     flight.referee.judge(now_s + period_s, state);
   }
   const double end_s = static_cast<double>(flight.log.ticks.size()) * period_s;

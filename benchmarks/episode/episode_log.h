@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "voronaut/benchmarks/episode/cluster_history.h"
 #include "voronaut/benchmarks/episode/referee.h"
 #include "voronaut/dynamics/path.h"
 #include "voronaut/dynamics/state.h"
@@ -29,8 +30,9 @@ struct ScanEvent {
   Setpoint setpoint;     // in force after it
   int mode = -1;         // index into EpisodeLog::modes
   int plan = -1;         // index into EpisodeLog::plans: the one being followed
+  int search = -1;       // index into EpisodeLog::searches: the latest
   ReplanReason replan = ReplanReason::none;
-  std::size_t known_points = 0;
+  std::size_t known_points = 0;  // of the map, without virtual obstacles
   ExecutiveState executive = ExecutiveState::rising;
   double governed_share = 1;          // of the speed asked for
   std::vector<Eigen::Vector2d> tube;  // the governor's proved track, corners; empty: none
@@ -66,7 +68,9 @@ struct EpisodeLog {
   std::vector<ScanEvent> scans;
   std::vector<std::string> modes;  // in the order of their first use
   std::vector<Path> plans;
-  double departure_s = 0;  // when the vehicle had its height and set off
+  std::vector<std::vector<Segment>> searches;  // edges looked at; only if the episode keeps scans
+  ClusterHistory clusters;                     // the same
+  double departure_s = 0;                      // when the vehicle had its height and set off
   std::int64_t replans = 0;
   std::array<std::int64_t, kSolveEnds> solve_ends{};  // of the replans, by SolveEnd
   Verdict verdict{Outcome::invalid, ""};

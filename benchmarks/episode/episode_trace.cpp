@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "voronaut/benchmarks/episode/search_trace.h"
+
 namespace voronaut {
 
 namespace {
@@ -48,21 +50,43 @@ TraceFrame frame_at(const ScanEvent& event, const Tick& tick) {
   frame.target_x_m = event.setpoint.p_target_world.x();
   frame.target_y_m = event.setpoint.p_target_world.y();
   frame.plan = event.plan;
+  frame.governed_share = event.governed_share;
+  for (const Vec2& p : event.tube) frame.tube.push_back(trace_point(p));
   frame.known_points = event.known_points;
   frame.range_m = event.range_m;
   return frame;
 }
 
-// What a reader of a replay asks: what does it do now? The executive's state, and under way the
-// planner's mode where it has one.
-int shown_mode(const ScanEvent& event, const EpisodeLog& log, std::vector<std::string>& names) {
-  const bool has_mode = event.executive == ExecutiveState::under_way && event.mode >= 0;
-  const std::string name = has_mode ? log.modes[static_cast<std::size_t>(event.mode)]
-                                    : std::string(to_string(event.executive));
+int index_of(const std::string& name, std::vector<std::string>& names) {
   const auto known = std::find(names.begin(), names.end(), name);
   if (known != names.end()) return static_cast<int>(known - names.begin());
   names.push_back(name);
   return static_cast<int>(names.size()) - 1;
+}
+
+// What a reader of a replay asks: what does it do now? The executive's state, and under way the
+// planner's mode where it has one.
+std::string shown_mode(const ScanEvent& event, const EpisodeLog& log) {
+  const bool has_mode = event.executive == ExecutiveState::under_way && event.mode >= 0;
+  return has_mode ? log.modes[static_cast<std::size_t>(event.mode)]
+                  : std::string(to_string(event.executive));
+}
+
+int replan_of(const ScanEvent& event, std::vector<std::string>& names) {
+  const bool asked = event.replan != ReplanReason::none && event.replan != ReplanReason::every_scan;
+  return asked ? index_of(std::string(to_string(event.replan)), names) : -1;
+}
+
+void add_clusters(const EpisodeLog& log, const ObstacleSnapshot& known, Trace& trace) {
+  for (const Vec2& p : known.points()) trace.known_points.push_back(trace_point(p));
+  trace.cluster_of = log.clusters.labels();
+  for (const auto& [scan, from, into] : log.clusters.merges()) {
+    trace.merges.push_back({static_cast<std::uint32_t>(scan), from, into});
+  }
+  for (const ClusterId cluster : known.clusters()) {
+    auto& hull = trace.hulls.emplace_back();
+    for (const Vec2& p : known.hull(cluster)) hull.push_back(trace_point(p));
+  }
 }
 
 }  // namespace
@@ -75,23 +99,21 @@ Trace trace_of(const TrialSpec& spec, const EpisodeLog& log, const ObstacleSnaps
   trace.field_of_view_rad = spec.range_finder.field_of_view_rad;
   trace.max_range_m = spec.range_finder.max_range_m;
   for (const Path& plan : log.plans) trace.plans.push_back(vertices(plan));
-  for (const Vec2& p : known.points()) trace.known_points.push_back(trace_point(p));
-  for (PointId id = 0; id < trace.known_points.size(); ++id) {
-    trace.cluster_of.push_back(known.cluster_of(id));
-  }
-  for (const ClusterId cluster : known.clusters()) {
-    auto& hull = trace.hulls.emplace_back();
-    for (const Vec2& p : known.hull(cluster)) hull.push_back(trace_point(p));
-  }
+  add_clusters(log, known, trace);
+  add_searches(log.searches, trace);
   for (const ScanEvent& event : log.scans) {
-    trace.frames.push_back(frame_at(event, log.ticks[event.tick]));
-    trace.frames.back().mode = shown_mode(event, log, trace.modes);
+    TraceFrame& frame = trace.frames.emplace_back(frame_at(event, log.ticks[event.tick]));
+    frame.mode = index_of(shown_mode(event, log), trace.modes);
+    frame.replan = replan_of(event, trace.replan_reasons);
+    frame.search = event.search < trace.kept_searches ? event.search : -1;
   }
   TraceFrame end = frame_at(log.ticks.back());
   end.known_points = trace.known_points.size();
   if (!trace.frames.empty()) {
     end.mode = trace.frames.back().mode;
     end.plan = trace.frames.back().plan;
+    end.search = trace.frames.back().search;
+    end.governed_share = trace.frames.back().governed_share;
   }
   trace.frames.push_back(std::move(end));
   return trace;

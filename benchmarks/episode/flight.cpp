@@ -153,9 +153,14 @@ void Flight::record_scan(const Setpoint& setpoint) {
     event.mode = log.scans[log.scans.size() - 2].mode;
   }
   event.plan = tracker.has_path() ? static_cast<int>(log.plans.size()) - 1 : -1;
-  event.known_points = belief.obstacles.points().size();
+  event.known_points = map.snapshot().points().size();
   event.planning_time_us = log.planning.samples_us().back();
-  if (keep_scans) event.range_m.assign(scan.range_m.begin(), scan.range_m.end());
+  if (!keep_scans) return;
+  event.range_m.assign(scan.range_m.begin(), scan.range_m.end());
+  log.clusters.note(log.scans.size() - 1, map.snapshot());
+  if (event.replan != ReplanReason::none && !planner_traits.plans_on_every_scan)
+    log.searches.push_back(problem.searched_edges(*planner));
+  event.search = static_cast<int>(log.searches.size()) - 1;
 }
 
 }  // namespace voronaut

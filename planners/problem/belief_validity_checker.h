@@ -42,6 +42,8 @@ class BeliefValidityChecker : public ompl::base::StateValidityChecker, public Kn
 
   // States and motions put to this checker since it was made, each counted once.
   std::uint64_t checks() const { return checks_.load(std::memory_order_relaxed); }
+  // Forgets the checks made since checks() was this.
+  void count_again_from(std::uint64_t checks) { checks_.store(checks, std::memory_order_relaxed); }
 
  private:
   double clearance_m(const Vec2& p) const;

@@ -7,6 +7,7 @@
 #include "voronaut/planners/problem/belief_validity_checker.h"
 #include "voronaut/planners/problem/goal_placement.h"
 #include "voronaut/planners/problem/planar_state.h"
+#include "voronaut/planners/problem/search_graph.h"
 #include "voronaut/planners/problem/swept_disc_motion_validator.h"
 
 namespace voronaut {
@@ -91,6 +92,13 @@ BudgetMeter PlanningProblem::meter(const PlanningBudget& budget) const {
 }
 
 const KnownGeometry& PlanningProblem::geometry() const { return *checker_; }
+
+std::vector<Segment> PlanningProblem::searched_edges(const ob::Planner& planner) const {
+  const std::uint64_t counted = checker_->checks();
+  std::vector<Segment> edges = search_graph(planner, *si_->getStateSpace());
+  checker_->count_again_from(counted);
+  return edges;
+}
 
 std::uint64_t PlanningProblem::state_checks() const { return checker_->checks(); }
 

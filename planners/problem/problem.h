@@ -2,7 +2,9 @@
 
 #include <cstdint>
 #include <memory>
+#include <vector>
 
+#include <ompl/base/Planner.h>
 #include <ompl/base/ProblemDefinition.h>
 #include <ompl/base/SpaceInformation.h>
 
@@ -52,6 +54,10 @@ class PlanningProblem {
   const KnownGeometry& geometry() const;
 
   std::uint64_t state_checks() const;  // states and motions checked so far, over all solves
+
+  // What the planner's latest solve looked at (search_graph.h). What it checks while it tells is
+  // not counted: pictures change no result.
+  std::vector<Segment> searched_edges(const ompl::base::Planner& planner) const;
 
  private:
   void pose_problem(const Vec2& start_world);

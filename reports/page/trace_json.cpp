@@ -1,9 +1,9 @@
 #include "voronaut/reports/page/trace_json.h"
 
 #include <cmath>
-#include <limits>
 #include <stdexcept>
 
+#include "voronaut/reports/page/delta_json.h"
 #include "voronaut/reports/page/json_text.h"
 #include "voronaut/reports/store/deflate.h"
 
@@ -13,10 +13,10 @@ namespace {
 
 using nlohmann::json;
 
-constexpr int kVersion = 1;
+constexpr int kVersion = 2;
 constexpr double kPerMetre = 1000.0;
 constexpr double kRangePerMetre = 100.0;
-constexpr double kLargest = 9007199254740992.0;  // 2^53: the integers a browser's number can hold
+constexpr double kEdgePerMetre = 100.0;
 constexpr std::int64_t kNoReturn = -1;
 
 // One list for both directions: v(key, member of the frame, units per SI unit).
@@ -61,91 +61,78 @@ void visit_columns(Visitor&& v) {
   v(
       "plan", [](auto& f) -> auto& { return f.plan; }, 1.0);
   v(
+      "search", [](auto& f) -> auto& { return f.search; }, 1.0);
+  v(
+      "replan", [](auto& f) -> auto& { return f.replan; }, 1.0);
+  v(
+      "share_1e3", [](auto& f) -> auto& { return f.governed_share; }, 1e3);
+  v(
       "known", [](auto& f) -> auto& { return f.known_points; }, 1.0);
 }
 
-bool representable(double scaled) { return std::abs(scaled) < kLargest; }
+using Polyline = std::vector<TracePoint>;
 
-class DeltaWriter {
- public:
-  void push(double value, double scale) {
-    const double scaled = value * scale;
-    if (!representable(scaled)) {
-      column_.push_back(nullptr);
-      return;
-    }
-    const std::int64_t rounded = std::llround(scaled);
-    column_.push_back(rounded - previous_);
-    previous_ = rounded;
+json polylines_to_json(const std::vector<Polyline>& polylines) {
+  json list = json::array();
+  for (const Polyline& polyline : polylines) list.push_back(points_to_json(polyline, kPerMetre));
+  return list;
+}
+
+std::vector<Polyline> polylines_from_json(const json& list) {
+  std::vector<Polyline> polylines;
+  for (const json& polyline : list) polylines.push_back(points_from_json(polyline, kPerMetre));
+  return polylines;
+}
+
+// The edges' ends as one polyline, so that neighbours cost little.
+json edges_to_json(const std::vector<TraceEdge>& edges) {
+  Polyline ends;
+  DeltaWriter first;
+  json searches_on = json::array();
+  for (const TraceEdge& edge : edges) {
+    ends.push_back(edge.a);
+    ends.push_back(edge.b);
+    first.push(edge.first_search, 1);
+    searches_on.push_back(edge.last_search - edge.first_search);
   }
-  json take() { return std::move(column_); }
+  return {{"ends_cm", points_to_json(ends, kEdgePerMetre)},
+          {"first", first.take()},
+          {"on", std::move(searches_on)}};
+}
 
- private:
-  json column_ = json::array();
-  std::int64_t previous_ = 0;
-};
-
-class DeltaReader {
- public:
-  double next(const json& entry, double scale) {
-    if (entry.is_null()) {
-      return std::numeric_limits<double>::quiet_NaN();
-    }
-    sum_ += entry.get<std::int64_t>();
-    return static_cast<double>(sum_) / scale;
+std::vector<TraceEdge> edges_from_json(const json& in) {
+  const Polyline ends = points_from_json(in.at("ends_cm"), kEdgePerMetre);
+  const json& first = in.at("first");
+  const json& searches_on = in.at("on");
+  if (ends.size() != 2 * first.size() || searches_on.size() != first.size()) {
+    throw std::invalid_argument("edges without two ends, a first and a last search");
   }
+  std::vector<TraceEdge> edges;
+  DeltaReader reader;
+  for (std::size_t i = 0; i < first.size(); ++i) {
+    const int from = static_cast<int>(reader.next(first[i], 1));
+    edges.push_back({ends[2 * i], ends[2 * i + 1], from, from + searches_on[i].get<int>()});
+  }
+  return edges;
+}
 
- private:
-  std::int64_t sum_ = 0;
-};
-
-json points_to_json(const std::vector<TracePoint>& points) {
+// [frame, from, into, ...]
+json merges_to_json(const std::vector<TraceMerge>& merges) {
   json flat = json::array();
-  std::int64_t x_mm = 0;
-  std::int64_t y_mm = 0;
-  for (const TracePoint& p : points) {
-    if (!representable(p.x_m * kPerMetre) || !representable(p.y_m * kPerMetre)) {
-      throw std::invalid_argument("a trace holds a point that is not finite");
-    }
-    const std::int64_t x = std::llround(p.x_m * kPerMetre);
-    const std::int64_t y = std::llround(p.y_m * kPerMetre);
-    flat.push_back(x - x_mm);
-    flat.push_back(y - y_mm);
-    x_mm = x;
-    y_mm = y;
+  for (const TraceMerge& merge : merges) {
+    for (const std::uint32_t value : {merge.frame, merge.from, merge.into}) flat.push_back(value);
   }
   return flat;
 }
 
-std::vector<TracePoint> points_from_json(const json& flat) {
-  if (flat.size() % 2 != 0) {
-    throw std::invalid_argument("a polyline with half a point");
+std::vector<TraceMerge> merges_from_json(const json& flat) {
+  if (flat.size() % 3 != 0) throw std::invalid_argument("half a merge");
+  std::vector<TraceMerge> merges;
+  for (std::size_t i = 0; i < flat.size(); i += 3) {
+    merges.push_back({flat[i].get<std::uint32_t>(), flat[i + 1].get<std::uint32_t>(),
+                      flat[i + 2].get<std::uint32_t>()});
   }
-  std::vector<TracePoint> points;
-  points.reserve(flat.size() / 2);
-  DeltaReader x;
-  DeltaReader y;
-  for (std::size_t i = 0; i < flat.size(); i += 2) {
-    const double x_m = x.next(flat[i], kPerMetre);
-    points.push_back({x_m, y.next(flat[i + 1], kPerMetre)});
-  }
-  return points;
-}
-
-json polylines_to_json(const std::vector<std::vector<TracePoint>>& polylines) {
-  json list = json::array();
-  for (const auto& polyline : polylines) {
-    list.push_back(points_to_json(polyline));
-  }
-  return list;
-}
-
-std::vector<std::vector<TracePoint>> polylines_from_json(const json& list) {
-  std::vector<std::vector<TracePoint>> polylines;
-  for (const json& polyline : list) {
-    polylines.push_back(points_from_json(polyline));
-  }
-  return polylines;
+  return merges;
 }
 
 json ranges_to_json(const std::vector<float>& range_m, double max_range_m) {
@@ -187,6 +174,11 @@ json frames_to_json(const Trace& trace) {
     scans.push_back(ranges_to_json(frame.range_m, trace.max_range_m));
   }
   columns["range_cm"] = std::move(scans);
+  json tubes = json::array();
+  for (const TraceFrame& frame : trace.frames) {
+    tubes.push_back(points_to_json(frame.tube, kPerMetre, {frame.x_m, frame.y_m}));
+  }
+  columns["tube_mm"] = std::move(tubes);
   return columns;
 }
 
@@ -209,8 +201,10 @@ std::vector<TraceFrame> frames_from_json(const json& columns, double max_range_m
       target = static_cast<Target>(value);
     }
   });
+  const json& tubes = columns.at("tube_mm");
   for (std::size_t i = 0; i < frames.size(); ++i) {
     frames[i].range_m = ranges_from_json(scans[i], max_range_m);
+    frames[i].tube = points_from_json(tubes.at(i), kPerMetre, {frames[i].x_m, frames[i].y_m});
   }
   return frames;
 }
@@ -226,10 +220,15 @@ std::string trace_to_json(const Trace& trace) {
   out["field_of_view_rad"] = trace.field_of_view_rad;
   out["max_range_m"] = trace.max_range_m;
   out["modes"] = trace.modes;
+  out["replan_reasons"] = trace.replan_reasons;
   out["plans"] = polylines_to_json(trace.plans);
-  out["known_points"] = points_to_json(trace.known_points);
+  out["known_points"] = points_to_json(trace.known_points, kPerMetre);
   out["cluster_of"] = trace.cluster_of;
+  out["merges"] = merges_to_json(trace.merges);
   out["hulls"] = polylines_to_json(trace.hulls);
+  out["edges"] = edges_to_json(trace.edges);
+  out["searches"] = trace.searches;
+  out["kept_searches"] = trace.kept_searches;
   out["frames"] = frames_to_json(trace);
   return json_text(out);
 }
@@ -248,10 +247,15 @@ Trace trace_from_json(std::string_view text) {
     in.at("field_of_view_rad").get_to(trace.field_of_view_rad);
     in.at("max_range_m").get_to(trace.max_range_m);
     in.at("modes").get_to(trace.modes);
+    in.at("replan_reasons").get_to(trace.replan_reasons);
     in.at("cluster_of").get_to(trace.cluster_of);
+    trace.merges = merges_from_json(in.at("merges"));
     trace.plans = polylines_from_json(in.at("plans"));
-    trace.known_points = points_from_json(in.at("known_points"));
+    trace.known_points = points_from_json(in.at("known_points"), kPerMetre);
     trace.hulls = polylines_from_json(in.at("hulls"));
+    trace.edges = edges_from_json(in.at("edges"));
+    in.at("searches").get_to(trace.searches);
+    in.at("kept_searches").get_to(trace.kept_searches);
     trace.frames = frames_from_json(in.at("frames"), trace.max_range_m);
     return trace;
   });

@@ -8,17 +8,20 @@
 // Traces as compact JSON, small enough to keep one per trial and readable by a browser as it is.
 //
 // Resolutions: time 1 ms, lengths and velocities 1 mm (1 mm/s), headings 1e-4, tilt 1e-4 rad,
-// actuators 0.01, planning time 0.1 us, ranges 1 cm. A number of a frame that is not finite becomes
-// null and reads back as NaN; a range without a return reads back as max_range_m.
+// actuators 0.01, planning time 0.1 us, ranges and the ends of searched edges 1 cm, shares 1e-3. A
+// number of a frame that is not finite becomes null and reads back as NaN; a range without a return
+// reads back as max_range_m.
 //
-// Layout (version 1):
-//   {"version":1, "trial_id":..., "body_radius_m":..., "clearance_min_m":...,
-//   "field_of_view_rad":...,
-//    "max_range_m":..., "modes":[...], "plans":[[dx,dy,...],...], "known_points":[dx,dy,...],
-//    "cluster_of":[...], "hulls":[[dx,dy,...],...],
-//    "frames":{"t_ms":[...], "x_mm":[...], ..., "range_cm":[[...],...]}}
+// Layout (version 2):
+//   {"version":2, "trial_id":..., "body_radius_m":..., "clearance_min_m":...,
+//    "field_of_view_rad":..., "max_range_m":..., "modes":[...], "replan_reasons":[...],
+//    "plans":[[dx,dy,...],...], "known_points":[dx,dy,...], "cluster_of":[...],
+//    "merges":[frame,from,into,...], "hulls":[[dx,dy,...],...], "searches":n, "kept_searches":n,
+//    "edges":{"ends_cm":[dx,dy,...], "first":[...], "on":[searches more,...]},
+//    "frames":{"t_ms":[...], "x_mm":[...], ..., "range_cm":[[...],...], "tube_mm":[[...],...]}}
 // Polylines and the columns of frames hold differences from the previous entry, the first one from
-// 0. A scan is coded along its rays, -1 standing for no return before the differences are taken.
+// 0, of a tube from the vehicle. A scan is coded along its rays, -1 standing for no return before
+// the differences are taken.
 namespace voronaut {
 
 std::string trace_to_json(const Trace& trace);

@@ -57,6 +57,13 @@ export function modeStrip(
           "text-anchor": "middle" }, s.name));
       }
     });
+    const { replan, t_s } = traces[i].frames;
+    replan.forEach((reason, k) => {
+      if (reason < 0) return;
+      g.append(svg("line", { class: "replan", x1: x(t_s[k]), x2: x(t_s[k]), y1: y + high - 9, y2: y + high - 2,
+        "data-tip": `${trials[i].planner} plans again at ${t_s[k].toFixed(2)} s: ` +
+          traces[i].replan_reasons[reason] }));
+    });
     root.append(g);
   });
   const cursor = svg("line", { class: "cursor", y1: kMargin.top, y2: inner });
@@ -67,7 +74,7 @@ export function modeStrip(
   });
   const key = legend(trials.map((t) => ({ planner: t.planner, count: `repetition ${t.repetition}` })), palette);
   return {
-    element: figureOf("series-mode", title, "", root, key,
+    element: figureOf("series-mode", title, "Ticks: the planner was asked again.", root, key,
       () => csv(["trial_id", "planner", "mode", "from_s", "to_s"], rows.flatMap((row, i) =>
         row.map((s) => [trials[i].trial_id, trials[i].planner, s.name, s.from_s, s.to_s])))),
     setTime: (t_s) => {

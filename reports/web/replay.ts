@@ -3,8 +3,10 @@ import { kGoal, Report, Trial, World } from "./data";
 import { button, checkbox, el, fixed, nameOf, select } from "./dom";
 import { readReplayLink, replayLink, ReplayPlace } from "./links";
 import { outcomeSign, outcomeWords, Palette } from "./palette";
-import { Ink, Layers, Painter, readInk } from "./replay_canvas";
+import { Ink, Painter, readInk } from "./replay_canvas";
+import { factsAt } from "./replay_facts";
 import { frameAt, speedRamp } from "./replay_geometry";
+import { everyLayer, layerSwitches } from "./replay_layers";
 import { commandOf } from "./repeat_command";
 import { extentOf, firstPerPlanner, Scene, scenesOf } from "./scene";
 import { modeStrip } from "./mode_strip";
@@ -49,9 +51,7 @@ export class Replay {
   private lastTick = 0;
   private opening = 0;  // a later opening overtakes an earlier one that still decodes
   private ink: Ink;
-  private readonly layers: Layers = {
-    truth: true, rays: true, known: true, hulls: true, plan: true, trail: true,
-  };
+  private readonly layers = everyLayer();
 
   private readonly choices = el("div", { class: "controls" });
   private readonly panelGrid = el("div", { class: "panels" });
@@ -105,11 +105,6 @@ export class Replay {
       this.setPlaying(false);
       this.seek(Number(this.slider.value));
     });
-    const layer = (label: string, key: keyof Layers): HTMLElement =>
-      checkbox(label, this.layers[key], (on) => {
-        this.layers[key] = on;
-        this.paint();
-      });
     return el("div", {},
       this.choices,
       el("div", { class: "clock" },
@@ -125,13 +120,12 @@ export class Replay {
         this.slider, this.clockText,
         button("Link", "Put this moment into the address", () => this.writeLink())),
       this.panelGrid,
-      el("div", { class: "controls" }, layer("true world", "truth"),
-        layer("rays and field of view", "rays"), layer("known points", "known"),
-        layer("clusters", "hulls"), layer("plan and subgoal", "plan"),
-        layer("way, coloured by speed", "trail"), this.speedLegend()),
+      el("div", { class: "controls layers", role: "group", "aria-label": "Layers" },
+        ...layerSwitches(this.layers, () => this.paint()), this.speedLegend()),
       el("p", { class: "note" }, "Disc: the body; dotted circle: the clearance it plans with; cross: " +
-        "the setpoint; dashed line: the plan; dashed outlines: clusters, grouped as at the end. " +
-        "Space plays, arrows step, with shift a second, Home and End jump; press a curve to go there."),
+        "the setpoint; dashed line: the plan; dashed outlines: clusters, grouped as the map grouped them " +
+        "at that moment; thin lines: what the planner's latest search looked at (of VoronoiRoadmap the Voronoi " +
+        "edges wide enough to pass); band: what the body sweeps if it brakes after this scan's course, proved free. Space plays, arrows step, with shift a second, Home and End jump; press a curve to go there."),
       this.seriesGrid);
   }
 
@@ -237,15 +231,7 @@ export class Replay {
   }
 
   private describe(panel: Panel, k: number): void {
-    const f = panel.trace.frames;
-    const facts: [string, string][] = [
-      ["mode", panel.trace.modes[f.mode[k]] ?? "\u2013"],
-      ["speed", `${fixed(f.speed_m_s[k], 2)} m/s`],
-      ["clearance", `${fixed(f.clearance_m[k], 2)} m`],
-      ["position", `${fixed(f.x_m[k], 2)}, ${fixed(f.y_m[k], 2)} m`],
-      ["points known", String(f.known[k])],
-      ["planning", `${fixed(f.planning_time_us[k], 0)} \u00B5s`],
-    ];
+    const facts = factsAt(panel.trace, k);
     panel.readout.replaceChildren(...facts.map(([name, value]) =>
       el("div", {}, el("dt", {}, name), el("dd", { title: value }, el("bdi", {}, value)))));
     panel.canvas.setAttribute("aria-label", `${panel.trial.planner} at ${this.t_s.toFixed(2)} s: ` +

@@ -2,21 +2,13 @@
 // the plan, and the way so far coloured by speed.
 import { kGoal, Trial, World } from "./data";
 import { outcomeSign } from "./palette";
-import { hullsOf, kSpeedBins, Point, rayEnds, speedRamp } from "./replay_geometry";
+import { hullsOf, kSpeedBins, Point, rayEnds, searchedEdges, speedRamp } from "./replay_geometry";
+import { Layers } from "./replay_layers";
 import { Trace } from "./trace";
-
-export interface Layers {
-  truth: boolean;
-  rays: boolean;
-  known: boolean;
-  hulls: boolean;
-  plan: boolean;
-  trail: boolean;
-}
 
 export interface Ink {
   bg: string; ink: string; soft: string; line: string; obstacle: string; edge: string;
-  hull: string; ray: string; subgoal: string;
+  hull: string; ray: string; subgoal: string; search: string; tube: string;
 }
 
 export function readInk(): Ink {
@@ -25,7 +17,7 @@ export function readInk(): Ink {
   return {
     bg: get("--bg"), ink: get("--ink"), soft: get("--soft"), line: get("--line"),
     obstacle: get("--obstacle"), edge: get("--obstacle-edge"), hull: get("--hull"),
-    ray: get("--ray"), subgoal: get("--subgoal"),
+    ray: get("--ray"), subgoal: get("--subgoal"), search: get("--search"), tube: get("--tube"),
   };
 }
 
@@ -46,6 +38,8 @@ export class Painter {
     this.begin(k, ink, around_m);
     if (layers.truth) this.paintTruth(ink);
     if (layers.rays) this.paintRays(k, ink);
+    if (layers.tube) this.paintTube(k, ink);
+    if (layers.search) this.paintSearch(k, ink);
     if (layers.known) this.paintKnown(k, ink);
     if (layers.hulls) this.paintHulls(k, ink);
     if (layers.plan) this.paintPlan(k, ink, planner);
@@ -163,11 +157,39 @@ export class Painter {
     context.strokeStyle = ink.hull;
     context.lineWidth = this.px(1.3);
     context.setLineDash([this.px(4), this.px(3)]);
-    for (const hull of hullsOf(trace, Math.min(trace.frames.known[k], trace.cluster_of.length))) {
+    for (const hull of hullsOf(trace, k)) {
       this.polyline(hull, true);
       context.stroke();
     }
     context.setLineDash([]);
+  }
+
+  // What the planner's latest search looked at: a roadmap's edges or its trees.
+  private paintSearch(k: number, ink: Ink): void {
+    const { context } = this;
+    context.strokeStyle = ink.search;
+    context.lineWidth = this.px(0.9);
+    context.beginPath();
+    for (const [ax, ay, bx, by] of searchedEdges(this.trace, k)) {
+      context.moveTo(ax, ay);
+      context.lineTo(bx, by);
+    }
+    context.stroke();
+  }
+
+  // The body swept along the governor's track: a disc's width around its corners.
+  private paintTube(k: number, ink: Ink): void {
+    const { context, trace } = this;
+    const track = this.flat(trace.frames.tube[k]);
+    if (track.length === 0) return;
+    context.strokeStyle = ink.tube;
+    for (const [width, alpha] of [[2 * trace.body_radius_m, 0.28], [this.px(1.2), 1]]) {
+      context.lineWidth = width;
+      context.globalAlpha = alpha;
+      this.polyline(track, false);
+      context.stroke();
+    }
+    context.globalAlpha = 1;
   }
 
   private paintPlan(k: number, ink: Ink, planner: string): void {

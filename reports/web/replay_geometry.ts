@@ -48,17 +48,40 @@ function convexHull(points: Point[]): Point[] {
   return sorted.length < 3 ? sorted : [...half(sorted), ...half(sorted.reverse())];
 }
 
-// Hulls of what was known by then, grouped as at the end.
-export function hullsOf(trace: Trace, known: number): Point[][] {
+// What each label has become by a frame: merges are in order of time and always into the older one.
+function mergedBy(trace: Trace, frame: number): Map<number, number> {
+  const into = new Map<number, number>();
+  for (let i = 0; i < trace.merges.length && trace.merges[i] <= frame; i += 3) {
+    into.set(trace.merges[i + 1], trace.merges[i + 2]);
+  }
+  return into;
+}
+
+// Hulls of what was known in a frame, grouped as the map grouped it then.
+export function hullsOf(trace: Trace, frame: number): Point[][] {
+  const into = mergedBy(trace, frame);
   const groups = new Map<number, Point[]>();
+  const known = Math.min(trace.frames.known[frame], trace.cluster_of.length);
   for (let i = 0; i < known; ++i) {
-    const label = trace.cluster_of[i];
+    let label = trace.cluster_of[i];
+    for (let next = into.get(label); next !== undefined; next = into.get(label)) label = next;
     const point: Point = [trace.known_points[2 * i], trace.known_points[2 * i + 1]];
     const group = groups.get(label);
     if (group) group.push(point);
     else groups.set(label, [point]);
   }
   return [...groups.values()].map(convexHull);
+}
+
+// Edges of the latest search by a frame, x, y, x, y of each.
+export function searchedEdges(trace: Trace, frame: number): Float64Array[] {
+  const search = trace.frames.search[frame];
+  const { ends, first, last } = trace.edges;
+  const edges: Float64Array[] = [];
+  first.forEach((from, i) => {
+    if (from <= search && search <= last[i]) edges.push(ends.subarray(4 * i, 4 * i + 4));
+  });
+  return edges;
 }
 
 // Beams go counter-clockwise from the rightmost; a full circle leaves out the one that would repeat.

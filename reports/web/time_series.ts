@@ -27,6 +27,8 @@ const kDegrees = 180 / Math.PI;
 export const kQuantities: Quantity[] = [
   { id: "speed", title: "Speed", unit: "m/s", lines: (f) => [f.speed_m_s] },
   { id: "clearance", title: "Clearance, centre to surface", unit: "m", lines: (f) => [f.clearance_m] },
+  { id: "share", title: "Speed the governor allowed", unit: "% of the speed asked for",
+    lines: (f) => f.tube.some((tube) => tube.length > 0) ? [f.share.map((v) => 100 * v)] : [] },
   { id: "tilt", title: "Tilt", unit: "degrees", lines: (f) => [f.tilt_rad.map((v) => v * kDegrees)] },
   { id: "planning", title: "Planning time per scan (measured)", unit: "\u00B5s",
     lines: (f) => [f.planning_time_us] },

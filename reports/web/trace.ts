@@ -17,6 +17,10 @@ export interface Frames {
   target_y_m: Float64Array;
   mode: Float64Array;
   plan: Float64Array;
+  search: Float64Array;  // the latest by then, -1: none was kept
+  replan: Float64Array;
+  share: Float64Array;
+  tube: Float64Array[];  // x, y, x, y ...
   known: Float64Array;
   range_m: Float64Array[];
 }
@@ -28,12 +32,19 @@ export interface Trace {
   field_of_view_rad: number;
   max_range_m: number;
   modes: string[];
+  replan_reasons: string[];
   plans: Float64Array[];  // x, y, x, y ...
   known_points: Float64Array;
-  cluster_of: number[];
+  cluster_of: number[];  // when the point became known
+  merges: number[];      // frame, from, into, ...: from that frame on
   hulls: Float64Array[];
+  edges: { ends: Float64Array; first: Float64Array; last: Float64Array };  // x, y, x, y of each
+  searches: number;
+  kept_searches: number;  // the first of them
   frames: Frames;
 }
+
+const kVersion = 2;
 
 function undelta(column: (number | null)[], scale: number): Float64Array {
   const out = new Float64Array(column.length);
@@ -45,11 +56,13 @@ function undelta(column: (number | null)[], scale: number): Float64Array {
   return out;
 }
 
-function points(flat: number[]): Float64Array {
+function points(flat: number[], perMetre: number, x_m = 0, y_m = 0): Float64Array {
   const out = new Float64Array(flat.length);
-  for (let i = 0; i < flat.length; ++i) {
-    out[i] = flat[i] / 1000 + (i >= 2 ? out[i - 2] : 0);
-  }
+  const sum = [Math.round(x_m * perMetre) || 0, Math.round(y_m * perMetre) || 0];
+  flat.forEach((delta, i) => {
+    sum[i % 2] += delta;
+    out[i] = sum[i % 2] / perMetre;
+  });
   return out;
 }
 
@@ -66,9 +79,14 @@ function ranges(scan: number[], maxRange: number): Float64Array {
 // The layout is that of trace_json.h.
 function decodeTrace(json: string): Trace {
   const raw = JSON.parse(json);
+  if (raw.version !== kVersion) throw new Error(`its trace has version ${raw.version}, not ${kVersion}`);
   const f = raw.frames;
   const vx = undelta(f.vx_mm_s, 1000);
   const vy = undelta(f.vy_mm_s, 1000);
+  const x_m = undelta(f.x_mm, 1000);
+  const y_m = undelta(f.y_mm, 1000);
+  const first = undelta(raw.edges.first, 1);
+  const metres = (flat: number[]): Float64Array => points(flat, 1000);
   return {
     trial_id: raw.trial_id,
     body_radius_m: raw.body_radius_m,
@@ -76,15 +94,21 @@ function decodeTrace(json: string): Trace {
     field_of_view_rad: raw.field_of_view_rad,
     max_range_m: raw.max_range_m,
     modes: raw.modes,
-    plans: raw.plans.map(points),
-    known_points: points(raw.known_points),
+    replan_reasons: raw.replan_reasons,
+    plans: raw.plans.map(metres),
+    known_points: metres(raw.known_points),
     cluster_of: raw.cluster_of,
-    hulls: raw.hulls.map(points),
+    merges: raw.merges,
+    hulls: raw.hulls.map(metres),
+    edges: { ends: points(raw.edges.ends_cm, 100), first,
+      last: first.map((from, i) => from + raw.edges.on[i]) },
+    searches: raw.searches,
+    kept_searches: raw.kept_searches,
     frames: {
       count: f.t_ms.length,
       t_s: undelta(f.t_ms, 1000),
-      x_m: undelta(f.x_mm, 1000),
-      y_m: undelta(f.y_mm, 1000),
+      x_m,
+      y_m,
       speed_m_s: vx.map((v, i) => Math.hypot(v, vy[i])),
       heading_x: undelta(f.heading_x_1e4, 1e4),
       heading_y: undelta(f.heading_y_1e4, 1e4),
@@ -96,6 +120,10 @@ function decodeTrace(json: string): Trace {
       target_y_m: undelta(f.target_y_mm, 1000),
       mode: undelta(f.mode, 1),
       plan: undelta(f.plan, 1),
+      search: undelta(f.search, 1),
+      replan: undelta(f.replan, 1),
+      share: undelta(f.share_1e3, 1e3),
+      tube: f.tube_mm.map((flat: number[], i: number) => points(flat, 1000, x_m[i], y_m[i])),
       known: undelta(f.known, 1),
       range_m: f.range_cm.map((scan: number[]) => ranges(scan, raw.max_range_m)),
     },

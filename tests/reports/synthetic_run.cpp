@@ -65,8 +65,56 @@ void add_known_points(Trace& trace, const TraceWorld& world, const TraceFrame& f
       const auto& [cx, cy, r] = world.circles[k];
       label = std::abs(std::hypot(p.x_m - cx, p.y_m - cy) - r) < 1e-3 ? k : label;
     }
+    // Each circle is two clusters that merge (merge_clusters).
+    const bool merged =
+        std::any_of(trace.merges.begin(), trace.merges.end(),
+                    [label](const TraceMerge& merge) { return merge.into == 2 * label; });
+    const std::uint32_t half = !merged && trace.known_points.size() % 2 == 1 ? 1 : 0;
     trace.known_points.push_back(p);
-    trace.cluster_of.push_back(label);
+    trace.cluster_of.push_back(2 * label + half);
+  }
+}
+
+// From a while after the first of its points on, a circle is one cluster.
+void merge_clusters(Trace& trace, std::uint32_t frame) {
+  constexpr std::size_t kAlone = 20;
+  for (std::size_t i = 0; i + kAlone < trace.cluster_of.size(); ++i) {
+    const std::uint32_t label = trace.cluster_of[i];
+    const auto is_of_label = [label](const TraceMerge& merge) { return merge.from == label; };
+    if (label % 2 == 1 && std::none_of(trace.merges.begin(), trace.merges.end(), is_of_label)) {
+      trace.merges.push_back({frame, label, label - 1});
+    }
+  }
+}
+
+// A ring of edges around each circle that stays, and a fan of others that is new in each search.
+void add_search(Trace& trace, const TraceWorld& world, const TraceFrame& frame) {
+  constexpr int kRing = 12;
+  const int search = trace.searches++;
+  trace.kept_searches = trace.searches;
+  const auto round = [](const TracePoint& p) {
+    return TracePoint{std::round(100 * p.x_m) / 100, std::round(100 * p.y_m) / 100};
+  };
+  const auto on_ring = [&](const std::array<double, 3>& circle, int k) {
+    const double angle = 2 * std::numbers::pi * k / kRing;
+    const double radius = circle[2] + 0.5;
+    return round({circle[0] + radius * std::cos(angle), circle[1] + radius * std::sin(angle)});
+  };
+  const std::size_t ring_edges = world.circles.size() * kRing;
+  for (std::size_t i = 0; i < ring_edges; ++i) {
+    const int k = static_cast<int>(i) % kRing;
+    const auto& circle = world.circles[i / kRing];
+    if (search == 0) {
+      trace.edges.push_back({on_ring(circle, k), on_ring(circle, k + 1), 0, 0});
+    }
+    trace.edges[i].last_search = search;
+  }
+  const TracePoint here = round({frame.x_m, frame.y_m});
+  for (int k = 0; k < 40; ++k) {
+    const double angle = 2 * std::numbers::pi * k / 40;
+    trace.edges.push_back({here,
+                           round({frame.x_m + 2 * std::cos(angle), frame.y_m + std::sin(angle)}),
+                           search, search});
   }
 }
 
@@ -96,7 +144,7 @@ void add_hulls(Trace& trace, std::size_t labels) {
   for (std::uint32_t label = 0; label < labels; ++label) {
     std::vector<TracePoint> members;
     for (std::size_t i = 0; i < trace.known_points.size(); ++i) {
-      if (trace.cluster_of[i] == label) {
+      if (trace.cluster_of[i] / 2 == label) {
         members.push_back(trace.known_points[i]);
       }
     }
@@ -140,6 +188,7 @@ Trace make_trace(const std::string& trial_id, const TraceWorld& world, std::uint
   trace.field_of_view_rad = std::numbers::pi / 2;
   trace.max_range_m = kMaxRange;
   trace.modes = {"none", "left", "right", "between"};
+  trace.replan_reasons = {"no_plan", "invalidated"};
   double x = world.start.x_m;
   double y = world.start.y_m;
   double heading = std::numbers::pi / 4;
@@ -179,7 +228,14 @@ Trace make_trace(const std::string& trial_id, const TraceWorld& world, std::uint
     frame.mode = side < 0.1 ? 0 : (side < 0.4 ? 1 : 3);
     if (i % 40 == 0) {
       trace.plans.push_back({{x, y}, {frame.target_x_m, frame.target_y_m}, world.goal});
+      add_search(trace, world, frame);
+      frame.replan = i == 0 ? 0 : 1;
     }
+    frame.search = trace.searches - 1;
+    frame.governed_share = std::clamp(0.001 * std::round(1000 * frame.clearance_m), 0.05, 1.0);
+    frame.tube = {{x, y},
+                  {x + 0.1 * frame.vx_m_s, y + 0.1 * frame.vy_m_s},
+                  {x + 0.3 * frame.vx_m_s + 0.02, y + 0.3 * frame.vy_m_s}};
     frame.plan = static_cast<int>(trace.plans.size()) - 1;
     for (int k = 0; k < rays; ++k) {
       frame.range_m.push_back(cast_ray(
@@ -187,6 +243,7 @@ Trace make_trace(const std::string& trial_id, const TraceWorld& world, std::uint
           heading + trace.field_of_view_rad * (static_cast<double>(k) / (rays - 1) - 0.5)));
     }
     add_known_points(trace, world, frame);
+    merge_clusters(trace, static_cast<std::uint32_t>(i));
     frame.known_points = trace.known_points.size();
     trace.frames.push_back(frame);
     if (to_goal < 0.2 || frame.t_s > stop_at) {

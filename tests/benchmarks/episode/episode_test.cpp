@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "voronaut/benchmarks/episode/episode_trace.h"
 #include "voronaut/environments/world.h"
 
 namespace voronaut {
@@ -99,6 +100,33 @@ TEST(Episode, ATraceHasAFrameForEveryScanAndTheEnd) {
   EXPECT_EQ(trace.known_points.size(), static_cast<std::size_t>(result.record.map_points));
   EXPECT_EQ(trace.cluster_of.size(), trace.known_points.size());
   EXPECT_EQ(trace.frames.front().range_m.size(), 91U);
+}
+
+TEST(Episode, ATraceOfAGovernedFlightTellsWhatGovernorAndPlannerThought) {
+  TrialSpec spec =
+      trial(around({{Vec2(4, 0.2), 0.5}, {Vec2(4.4, -1), 0.5}, {Vec2(7, 0), 0.4}}, Vec2(9, 0)),
+            "quadrotor", "RRTConnect");
+  spec.range_finder.max_range_m = 2.5;
+  spec.navigation.governor = true;
+  Flight flight(spec, planners(), true);
+  const EpisodeLog log = fly(flight);
+  const Trace trace = trace_of(spec, log, flight.map.snapshot());
+  ASSERT_EQ(trace.frames.size(), log.scans.size() + 1);
+  ASSERT_GT(trace.searches, 1) << log.verdict.reason;
+  EXPECT_EQ(trace.searches, log.replans);
+  EXPECT_EQ(trace.kept_searches, trace.searches);
+  std::size_t tubes = 0;
+  int asked = 0;
+  for (std::size_t k = 0; k < log.scans.size(); ++k) {
+    EXPECT_EQ(trace.frames[k].governed_share, log.scans[k].governed_share);
+    EXPECT_EQ(trace.frames[k].tube.size(), log.scans[k].tube.size());
+    EXPECT_EQ(trace.frames[k].search, log.scans[k].search);
+    EXPECT_LE(trace.frames[k].known_points, trace.known_points.size());
+    tubes += trace.frames[k].tube.empty() ? 0U : 1U;
+    asked += trace.frames[k].replan >= 0 ? 1 : 0;
+  }
+  EXPECT_GT(tubes, 50U);
+  EXPECT_EQ(asked, trace.searches);
 }
 
 // A world turned about the start by a quarter gives the flight turned by a quarter: nothing in the

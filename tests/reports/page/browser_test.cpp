@@ -406,7 +406,7 @@ TEST_F(ReplayPage, TheSliderMovesAllPanelsAndTheMapGrowsWithIt) {
   for (const char* layer : {"true world", "rays", "clusters", "plan", "way"}) {
     session_->evaluate(
         "[...document.querySelectorAll('#page-replay .check')].find(c => "
-        "c.textContent.startsWith('" +
+        "c.textContent.trim().startsWith('" +
         std::string(layer) + "')).firstChild.click()");
   }
   // The outlines of start and goal are dark too: known points must add to them.

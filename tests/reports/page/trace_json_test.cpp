@@ -42,9 +42,28 @@ void expect_frames_near(const TraceFrame& a, const TraceFrame& b) {
   EXPECT_EQ(a.mode, b.mode);
   EXPECT_EQ(a.plan, b.plan);
   EXPECT_EQ(a.known_points, b.known_points);
+  EXPECT_EQ(a.search, b.search);
+  EXPECT_EQ(a.replan, b.replan);
+  EXPECT_NEAR(a.governed_share, b.governed_share, 0.5e-3 + 1e-9);
+  expect_points_near(a.tube, b.tube);
   ASSERT_EQ(a.range_m.size(), b.range_m.size());
   for (std::size_t k = 0; k < a.range_m.size(); ++k) {
     ASSERT_NEAR(a.range_m[k], b.range_m[k], 0.005 + 1e-6);
+  }
+}
+
+void expect_lists_equal(const Trace& a, const Trace& b) {
+  ASSERT_EQ(a.merges.size(), b.merges.size());
+  for (std::size_t i = 0; i < a.merges.size(); ++i) {
+    EXPECT_EQ(a.merges[i].frame, b.merges[i].frame);
+    EXPECT_EQ(a.merges[i].from, b.merges[i].from);
+    EXPECT_EQ(a.merges[i].into, b.merges[i].into);
+  }
+  ASSERT_EQ(a.edges.size(), b.edges.size());
+  for (std::size_t i = 0; i < a.edges.size(); ++i) {
+    EXPECT_EQ(a.edges[i].first_search, b.edges[i].first_search);
+    EXPECT_EQ(a.edges[i].last_search, b.edges[i].last_search);
+    expect_points_near({a.edges[i].a, a.edges[i].b}, {b.edges[i].a, b.edges[i].b});
   }
 }
 
@@ -57,7 +76,11 @@ TEST(TraceJson, KeepsEverythingAtTheStatedResolution) {
     EXPECT_EQ(back.field_of_view_rad, trace.field_of_view_rad);
     EXPECT_EQ(back.max_range_m, trace.max_range_m);
     EXPECT_EQ(back.modes, trace.modes);
+    EXPECT_EQ(back.replan_reasons, trace.replan_reasons);
+    EXPECT_EQ(back.searches, trace.searches);
+    EXPECT_EQ(back.kept_searches, trace.kept_searches);
     EXPECT_EQ(back.cluster_of, trace.cluster_of);
+    expect_lists_equal(back, trace);
     expect_points_near(back.known_points, trace.known_points);
     ASSERT_EQ(back.plans.size(), trace.plans.size());
     for (std::size_t i = 0; i < back.plans.size(); ++i) {
@@ -140,10 +163,17 @@ TEST(TraceJson, RefusesWhatItDoesNotWrite) {
   };
   EXPECT_THROW(trace_from_json(""), std::invalid_argument);
   EXPECT_THROW(trace_from_json("[]"), std::invalid_argument);
-  EXPECT_THROW(trace_from_json(broken(R"("version":1)", R"("version":2)")), std::invalid_argument);
+  EXPECT_THROW(trace_from_json(broken(R"("version":2)", R"("version":1)")), std::invalid_argument);
   EXPECT_THROW(trace_from_json(broken(R"("x_mm":[0,0])", R"("x_mm":[0])")), std::invalid_argument);
   EXPECT_THROW(trace_from_json(broken(R"("mode":[-1)", R"("mode":[null)")), std::invalid_argument);
   EXPECT_THROW(trace_from_json(broken(R"("known":[0)", R"("known":[-5)")), std::invalid_argument);
+  EXPECT_THROW(trace_from_json(broken(R"("merges":[])", R"("merges":[1])")), std::invalid_argument);
+  EXPECT_THROW(trace_from_json(broken(R"("ends_cm":[])", R"("ends_cm":[1,2])")),
+               std::invalid_argument);
+  EXPECT_THROW(trace_from_json(broken(R"("tube_mm":[[],[]])", R"("tube_mm":[[],[1]])")),
+               std::invalid_argument);
+  EXPECT_THROW(trace_from_json(broken(R"("tube_mm":[[],[]])", R"("tube_mm":[[]])")),
+               std::invalid_argument);
   EXPECT_THROW(decompress_trace("not deflate"), std::invalid_argument);
 }
 
