@@ -11,19 +11,24 @@ import { kHeight, kMargin, kWidth, Series } from "./time_series";
 import { Trace } from "./trace";
 
 interface Stretch {
+  mode: number;  // index into Trace.modes
   name: string;
   from_s: number;
   to_s: number;
+}
+
+export function wordsOf(name: string): string {
+  return name.replace(/_/g, " ");
 }
 
 export function stretchesOf(trace: Trace): Stretch[] {
   const { mode, t_s, count } = trace.frames;
   const stretches: Stretch[] = [];
   for (let k = 0; k < count; ++k) {
-    const name = trace.modes[mode[k]] ?? "";
+    const name = wordsOf(trace.modes[mode[k]] ?? "");
     const last = stretches[stretches.length - 1];
     if (last) last.to_s = t_s[k];
-    if (!last || last.name !== name) stretches.push({ name, from_s: t_s[k], to_s: t_s[k] });
+    if (!last || last.name !== name) stretches.push({ mode: mode[k], name, from_s: t_s[k], to_s: t_s[k] });
   }
   return stretches.filter((s) => s.name !== "");
 }
@@ -49,7 +54,7 @@ export function modeStrip(
         transform: `translate(${kMargin.left - 14},${y + high / 2})` }));
     row.forEach((s) => {
       const width = Math.max(1, x(s.to_s) - x(s.from_s));
-      g.append(svg("rect", { class: `mode m${traces[i].modes.indexOf(s.name) % 4}`, x: x(s.from_s), width,
+      g.append(svg("rect", { class: `mode m${s.mode % 4}`, x: x(s.from_s), width,
         y: y + 2, height: high - 4,
         "data-tip": `${trials[i].planner}: ${s.name}\n${s.from_s.toFixed(2)} to ${s.to_s.toFixed(2)} s` }));
       if (width > 7 * s.name.length) {
@@ -62,7 +67,7 @@ export function modeStrip(
       if (reason < 0) return;
       g.append(svg("line", { class: "replan", x1: x(t_s[k]), x2: x(t_s[k]), y1: y + high - 9, y2: y + high - 2,
         "data-tip": `${trials[i].planner} plans again at ${t_s[k].toFixed(2)} s: ` +
-          traces[i].replan_reasons[reason] }));
+          wordsOf(traces[i].replan_reasons[reason]) }));
     });
     root.append(g);
   });

@@ -108,6 +108,8 @@ TEST(Episode, ATraceOfAGovernedFlightTellsWhatGovernorAndPlannerThought) {
             "quadrotor", "RRTConnect");
   spec.range_finder.max_range_m = 2.5;
   spec.navigation.governor = true;
+  spec.navigation.look_around = true;
+  spec.navigation.gaze = Gaze::path;
   Flight flight(spec, planners(), true);
   const EpisodeLog log = fly(flight);
   const Trace trace = trace_of(spec, log, flight.map.snapshot());

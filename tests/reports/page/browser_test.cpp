@@ -1,9 +1,11 @@
 #include "voronaut/tests/reports/page/browser.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
 #include <optional>
+#include <set>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -375,6 +377,84 @@ TEST_F(ReplayPage, ShowsTheStoredStateOfTheMomentInTheAddress) {
   }
   EXPECT_THAT(text("'#replay-clock'"), HasSubstr("2.32 of "));
   expect_quiet();
+}
+
+// Edges, hulls and labels are told again in plain words: what the page must draw of a frame.
+std::size_t edges_of_search(const Trace& trace, int search) {
+  return static_cast<std::size_t>(
+      std::count_if(trace.edges.begin(), trace.edges.end(), [&](const TraceEdge& edge) {
+        return edge.first_search <= search && search <= edge.last_search;
+      }));
+}
+
+TEST_F(ReplayPage, TellsWhatGovernorAndSearchDidAtTheMomentShown) {
+  for (const char* at : {"&t=0.50", "&t=2.32", "&t=4.10"}) {
+    traces_.clear();
+    open_replay(at);
+    for (const Trace* trace : traces_) {
+      const std::size_t k = static_cast<std::size_t>(std::stoi(frame(*trace)));
+      const TraceFrame& stored = trace->frames.at(k);
+      const std::string shown = session_->evaluate(panel(*trace) + ".textContent");
+      EXPECT_THAT(
+          shown,
+          HasSubstr("search" + std::to_string(edges_of_search(*trace, stored.search)) + " edges, " +
+                    std::to_string(stored.search + 1) + " of " + std::to_string(trace->searches)));
+      double stop_m = 0;
+      for (std::size_t i = 1; i < stored.tube.size(); ++i) {
+        stop_m += std::hypot(stored.tube[i].x_m - stored.tube[i - 1].x_m,
+                             stored.tube[i].y_m - stored.tube[i - 1].y_m);
+      }
+      const std::string share = shown.substr(shown.find("governor") + 8);
+      EXPECT_NEAR(std::stod(share), 100 * stored.governed_share, 0.51);
+      const std::string told = shown.substr(shown.find("stop in ") + 8);
+      EXPECT_NEAR(std::stod(told), stop_m, 0.02);
+    }
+    expect_quiet();
+  }
+}
+
+TEST_F(ReplayPage, EachLayerCanBeSwitchedOffAndDrawsNothingThen) {
+  open_replay("&t=3.00");
+  const std::string picture = "document.querySelector('.panels canvas').toDataURL()";
+  const std::string whole = session_->evaluate(picture);
+  for (const char* layer : {"truth", "rays", "known", "hulls", "search", "plan", "tube", "trail"}) {
+    const std::string press =
+        "document.querySelector('[data-layer=" + std::string(layer) + "] input').click()";
+    session_->evaluate(press);
+    EXPECT_NE(session_->evaluate(picture), whole) << layer;
+    session_->evaluate(press);
+    EXPECT_EQ(session_->evaluate(picture), whole) << layer;
+  }
+  expect_quiet();
+}
+
+TEST_F(ReplayPage, ClustersAreGroupedAsTheMapGroupedThemThen) {
+  open_replay("&t=0");
+  const Trace* trace = traces_.front();
+  ASSERT_FALSE(trace->merges.empty());
+  // Just before and after the first merge: points as many as known, one outline less.
+  const std::uint32_t merge = trace->merges.front().frame;
+  const auto outlines = [&](std::uint32_t k) {
+    std::set<std::uint32_t> labels;
+    for (std::size_t i = 0; i < trace->frames.at(k).known_points; ++i) {
+      std::uint32_t label = trace->cluster_of[i];
+      for (const TraceMerge& m : trace->merges) {
+        if (m.frame <= k && m.from == label) label = m.into;
+      }
+      labels.insert(label);
+    }
+    return labels.size();
+  };
+  for (const std::uint32_t k : {merge - 1, merge, merge + 40}) {
+    session_->evaluate(
+        "(() => { const s = document.querySelector('.clock input[type=range]');"
+        " s.value = " +
+        text_of(trace->frames.at(k).t_s, 3) + "; s.dispatchEvent(new Event('input')); })()");
+    ASSERT_EQ(frame(*trace), std::to_string(k));
+    EXPECT_THAT(session_->evaluate(panel(*trace) + ".textContent"),
+                HasSubstr("clusters" + std::to_string(outlines(k))))
+        << k;
+  }
 }
 
 TEST_F(ReplayPage, KeysStepJumpAndPlay) {
