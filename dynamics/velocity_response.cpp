@@ -80,11 +80,11 @@ void VelocityResponse::predict_stop(const PlanarMotion& now, const Vector2d& v_b
                                     std::vector<Vector2d>& track) const {
   PlanarMotion m = now;
   track.assign(1, m.p_m);
-  const int hold_steps = static_cast<int>(hold_s / period_s + 0.5);
-  const int sample_steps = std::max(1, static_cast<int>(sample_s / period_s + 0.5));
-  const int steps_max = static_cast<int>(kHorizon_s / period_s);
+  const auto hold_steps = std::lround(hold_s / period_s);
+  const long sample_steps = std::max(1L, std::lround(sample_s / period_s));
+  const auto steps_max = static_cast<long>(kHorizon_s / period_s);
   Vector2d pending = asked_for(*this, m, v_before);
-  int step = 0;
+  long step = 0;
   for (; step < steps_max; ++step) {
     const bool braking = step >= hold_steps;
     if (braking && m.v_m_s.squaredNorm() < kRest_m_s * kRest_m_s &&

@@ -41,8 +41,8 @@ struct Flight {
   bool depart(const VehicleState& state, double now_s);
   void recover(const VehicleState& state, double now_s);
   void adopt(Plan plan, double now_s);
-  void govern(const VehicleState& state, const Vec2& towards, Setpoint& setpoint);
-  bool too_close(const Vec2& p_world) const;
+  void govern(const VehicleState& state, const Vec2& towards, bool squeezing, Setpoint& setpoint);
+  std::optional<Vec2> crowding(const Vec2& p_world) const;
   Vec2 leaning_away(const Vec2& towards, const Vec2& p_world) const;
 
   const TrialSpec& spec;
@@ -72,6 +72,7 @@ struct Flight {
   ExecutiveState executive = ExecutiveState::rising;
   bool departed = false;
   double back_off_until_s = 0;
+  double squeeze_until_s = 0;
   std::optional<Vec2> refused_at;  // by the governor, at the latest scan
   Setpoint held;                   // a governed setpoint lasts until the next scan
   EpisodeLog log;

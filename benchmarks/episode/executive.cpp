@@ -14,6 +14,7 @@ constexpr double kHeightReached_m = 0.05;
 constexpr double kHeightReached_m_s = 0.1;
 constexpr double kBackOff_s = 2;
 constexpr double kBackOff_m_s = 0.3;
+constexpr double kSqueeze_s = 4;
 
 }  // namespace
 
@@ -35,9 +36,14 @@ bool Flight::depart(const VehicleState& state, double now_s) {
   return true;
 }
 
-bool Flight::too_close(const Vec2& p_world) const {
+// What stands closer to p than planners plan: a known point, or else the unknown that the governor
+// refused.
+std::optional<Vec2> Flight::crowding(const Vec2& p_world) const {
   const double limit_m = spec.vehicle.clearance_min_m - SafetyGovernor::kKnownMargin_m;
-  return map.snapshot().nearest(p_world, limit_m).has_value();
+  const ObstacleSnapshot known = map.snapshot();
+  if (const auto nearest = known.nearest(p_world, limit_m)) return known.points()[*nearest];
+  if (refused_at && (*refused_at - p_world).norm() < limit_m) return refused_at;
+  return std::nullopt;
 }
 
 void Flight::recover(const VehicleState& state, double now_s) {
@@ -51,11 +57,14 @@ void Flight::recover(const VehicleState& state, double now_s) {
 
   const Vec2 p = state.p_world.head<2>();
   switch (recovery.advise({now_s, p, state.v_world.head<2>().norm(), tracker.has_path(),
-                           too_close(p), !virtual_obstacles.empty()})) {
+                           crowding(p).has_value(), !virtual_obstacles.empty()})) {
     case RecoveryAction::none:
       return;
     case RecoveryAction::back_off:
       back_off_until_s = now_s + kBackOff_s;
+      return;
+    case RecoveryAction::squeeze:
+      squeeze_until_s = now_s + kSqueeze_s;
       return;
     case RecoveryAction::drop_virtual_obstacles:
       virtual_obstacles.clear();
@@ -102,10 +111,7 @@ Setpoint Flight::navigate(const VehicleState& state, double now_s) {
     setpoint.yaw_rate_rad_s = spec.vehicle.limits.max_yaw_rate_rad_s;
   } else if (departed && now_s < back_off_until_s) {
     executive = ExecutiveState::backing_off;
-    if (const auto nearest = map.snapshot().nearest(p, spec.vehicle.clearance_min_m)) {
-      const Vec2 away = (p - map.snapshot().points()[*nearest]).normalized();
-      aim = {p + away, kBackOff_m_s, false};
-    }
+    if (const auto place = crowding(p)) aim = {p + (p - *place).normalized(), kBackOff_m_s, false};
   } else if (tracker.has_path()) {
     executive = ExecutiveState::under_way;
     setpoint.yaw_rate_rad_s = gaze.yaw_rate_rad_s(setpoint.heading_world, state.heading_world());
@@ -122,13 +128,15 @@ Setpoint Flight::navigate(const VehicleState& state, double now_s) {
   const Vec2 towards = way.norm() > 0 ? leaning_away(way.normalized(), p) : setpoint.heading_world;
   setpoint.speed_limit_m_s = speed_limit_m_s(spec.navigation.speed_rule, belief, towards, braking,
                                              spec.navigation.reaction_time_s, aim.speed_limit_m_s);
-  if (governor) govern(state, towards, setpoint);
+  if (governor) govern(state, towards, now_s < squeeze_until_s, setpoint);
   return setpoint;
 }
 
-void Flight::govern(const VehicleState& state, const Vec2& towards, Setpoint& setpoint) {
+void Flight::govern(const VehicleState& state, const Vec2& towards, bool squeezing,
+                    Setpoint& setpoint) {
   const Vec2 v_wanted = setpoint.speed_limit_m_s * towards;
-  const GovernedCourse& course = governor->allow(v_wanted, state, free_space, map.snapshot());
+  const GovernedCourse& course =
+      governor->allow(v_wanted, state, free_space, map.snapshot(), squeezing);
   setpoint.course_m_s = course.v_world;
   refused_at = course.refused_at;
   log.scans.back().governed_share = course.share;

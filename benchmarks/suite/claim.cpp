@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <numeric>
+#include <tuple>
 
 #include "voronaut/environments/config/config_reader.h"
 #include "voronaut/reports/summary/statistics.h"
@@ -51,13 +53,13 @@ std::string count_text(std::int64_t count, std::size_t n) {
   return std::to_string(count) + " of " + std::to_string(n);
 }
 
-void add_ratio(Examination& examination, const std::string& name, double bound, double value,
+void add_ratio(Examination& examination, const std::string& bound, double value, bool holds,
                std::size_t arrivals) {
   const bool judged = arrivals >= kFewestArrivals;
   examination.add(
-      name + " <= " + number_text(bound),
+      bound,
       rounded(value) + " over " + std::to_string(arrivals) + (judged ? "" : ": too few to judge"),
-      !judged || value <= bound);
+      !judged || holds);
 }
 
 void examine_ratios(const Claim& claim, std::vector<double> ratios, Examination& examination) {
@@ -70,10 +72,48 @@ void examine_ratios(const Claim& claim, std::vector<double> ratios, Examination&
   const double mean =
       std::accumulate(ratios.begin(), ratios.end(), 0.0) / static_cast<double>(ratios.size());
   if (about_mean)
-    add_ratio(examination, "mean path ratio", claim.path_ratio_mean_max, mean, ratios.size());
-  if (about_tail)
-    add_ratio(examination, "95 % of path ratios", claim.path_ratio_p95_max,
-              quantile_of_sorted(ratios, 0.95), ratios.size());
+    add_ratio(examination, "mean path ratio <= " + number_text(claim.path_ratio_mean_max), mean,
+              mean <= claim.path_ratio_mean_max, ratios.size());
+  if (!about_tail) return;
+  const double tail = quantile_of_sorted(ratios, 0.95);
+  add_ratio(examination, "95 % of path ratios <= " + number_text(claim.path_ratio_p95_max), tail,
+            tail <= claim.path_ratio_p95_max, ratios.size());
+}
+
+// By world, vehicle and repetition: the mean speed of the arrivals of one planner.
+using Speeds = std::map<std::tuple<std::string, std::string, int>, double>;
+
+Speeds speeds_of(const Claim& claim, const std::vector<RunRecord>& records) {
+  Speeds speeds;
+  for (const RunRecord& record : records) {
+    if (!is_about(claim, record) || record.outcome != Outcome::goal_reached) continue;
+    speeds[{record.scenario, record.vehicle, record.repetition}] = record.speed_mean_m_s;
+  }
+  return speeds;
+}
+
+void examine_speed(const Claim& claim, const std::vector<RunRecord>& records,
+                   Examination& examination) {
+  if (claim.speed_beside.empty()) return;
+  Claim other = claim;
+  other.planner = claim.speed_beside;
+  const Speeds others = speeds_of(other, records);
+  double sum = 0, sum_beside = 0;
+  std::size_t pairs = 0;
+  const Speeds mine = speeds_of(claim, records);
+  for (const auto& [world, speed_m_s] : mine) {
+    const auto beside = others.find(world);
+    if (beside == others.end()) continue;
+    sum += speed_m_s;
+    sum_beside += beside->second;
+    ++pairs;
+  }
+  if (pairs == 0 && mine.size() >= kFewestArrivals)
+    return examination.fail("no world that both finished");
+  const double ratio = pairs > 0 ? sum / sum_beside : 0;
+  add_ratio(examination,
+            "mean speed >= " + number_text(claim.speed_ratio_min) + " x " + claim.speed_beside,
+            ratio, ratio >= claim.speed_ratio_min, pairs);
 }
 
 }  // namespace
@@ -111,6 +151,7 @@ Finding examine(const Claim& claim, const std::vector<RunRecord>& records) {
     examination.add("clearance >= " + number_text(claim.clearance_min_m) + " m",
                     rounded(clearance_m) + " m", clearance_m >= claim.clearance_min_m);
   examine_ratios(claim, std::move(ratios), examination);
+  examine_speed(claim, records, examination);
   return examination.finding();
 }
 

@@ -19,6 +19,9 @@ struct Claim {
   double clearance_min_m = 0;        // smallest of all trials, centre to surface
   double path_ratio_mean_max = 1e6;  // over goal_reached
   double path_ratio_p95_max = 1e6;   // the same, 95th percentile
+  // Mean speed over that of another planner (label), over the worlds that both finished.
+  std::string speed_beside;
+  double speed_ratio_min = 0;
 
   template <class Visitor>
   void visit(Visitor& v) {
@@ -32,10 +35,13 @@ struct Claim {
     v.number("clearance_min_m", clearance_min_m, 0, 100);
     v.number("path_ratio_mean_max", path_ratio_mean_max, 1, 1e6);
     v.number("path_ratio_p95_max", path_ratio_p95_max, 1, 1e6);
+    v.text("speed_beside", speed_beside);
+    v.number("speed_ratio_min", speed_ratio_min, 0, 100);
   }
 };
 
-// Path ratios are judged over at least so many arrivals; below that they are said, not judged.
+// Path and speed ratios are judged over at least so many arrivals; below that they are said, not
+// judged.
 inline constexpr std::size_t kFewestArrivals = 100;
 
 struct Finding {

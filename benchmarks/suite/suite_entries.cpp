@@ -158,6 +158,7 @@ Claim read_claim(const ConfigNode& entry, const SuiteConfig& suite) {
   require_known("group", suite.scenarios, [](const ScenarioSpec& s) { return s.group(); });
   require_known("vehicle", suite.vehicles, [](const VehicleEntry& v) { return v.vehicle.name; });
   require_known("planner", suite.planners, [](const PlannerSpec& p) { return p.label; });
+  require_known("speed_beside", suite.planners, [](const PlannerSpec& p) { return p.label; });
   return claim;
 }
 

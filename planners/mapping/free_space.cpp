@@ -249,40 +249,6 @@ bool FreeSpace::swept_disc_is_free(const Vec2& a_world, const Vec2& b_world,
   return true;
 }
 
-std::optional<Vec2> FreeSpace::first_unknown_in_tube(std::span<const Vec2> corners,
-                                                     double radius_m) const {
-  for (std::size_t i = 0; i + 1 < corners.size(); ++i) {
-    const Vec2 way = corners[i + 1] - corners[i];
-    const int steps = static_cast<int>(way.norm() / cell_m_) + 1;
-    for (int step = 0; step <= steps; ++step) {
-      const Vec2 p = corners[i] + (static_cast<double>(step) / steps) * way;
-      if (swept_disc_is_free(p, p, radius_m)) continue;
-      return unknown_in_disc(p, radius_m);
-    }
-  }
-  return std::nullopt;
-}
-
-std::optional<Vec2> FreeSpace::unknown_in_disc(const Vec2& p_world, double radius_m) const {
-  const int reach = static_cast<int>(radius_m / cell_m_) + 1;
-  const Vec2 center = to_cells(p_world);
-  std::optional<Vec2> nearest_to_rim;
-  double farthest_sq = -1;
-  for (int dy = -reach; dy <= reach; ++dy) {
-    for (int dx = -reach; dx <= reach; ++dx) {
-      const Vec2 cell(std::floor(center.x()) + dx + 0.5, std::floor(center.y()) + dy + 0.5);
-      const Vec2 middle = origin_ + cell_m_ * cell;
-      const double distance_sq = (middle - p_world).squaredNorm();
-      const double within_m = radius_m + cell_m_;
-      if (distance_sq > within_m * within_m || distance_sq <= farthest_sq) continue;
-      if (is_free(middle)) continue;
-      farthest_sq = distance_sq;
-      nearest_to_rim = middle;
-    }
-  }
-  return nearest_to_rim;
-}
-
 std::size_t FreeSpace::free_cells() const {
   std::size_t count = 0;
   for (const std::uint64_t word : free_) count += static_cast<std::size_t>(std::popcount(word));

@@ -45,7 +45,14 @@ class FreeSpace {
   // touches and that is not known free; empty if there is none. Looks at places a cell apart.
   std::optional<Vec2> first_unknown_in_tube(std::span<const Vec2> corners, double radius_m) const;
 
+  // The middles of all cells that are not known free and whose circumscribed disc comes within
+  // radius_m of the chain, into `middles`: at least those that the swept disc touches. O(cells of
+  // the tube's bounding box x corners): for short tubes.
+  void unknown_cells_in_tube(std::span<const Vec2> corners, double radius_m,
+                             std::vector<Vec2>& middles) const;
+
   double cell_m() const { return cell_m_; }
+  double cell_radius_m() const { return 0.70711 * cell_m_; }  // of the circumscribed disc
   std::size_t free_cells() const;
 
  private:

@@ -52,6 +52,8 @@ RecoveryAction RecoveryPolicy::next_step(const Progress& progress) {
   }
   if (progress.too_close && steps_taken_ == 1) return RecoveryAction::back_off;
   if (steps_taken_ <= 2) return RecoveryAction::look_around;
+  // In a passage that turned out narrower than planners plan for, any way out is as narrow.
+  if (progress.too_close && steps_taken_ == 3) return RecoveryAction::squeeze;
   return RecoveryAction::add_virtual_obstacle;
 }
 

@@ -24,7 +24,7 @@ struct Progress {
   Vec2 p_world = Vec2::Zero();
   double speed_m_s = 0;
   bool wants_to_move = false;     // there is a path and it is not yet flown
-  bool too_close = false;         // nearer to a known point than planners plan
+  bool too_close = false;         // nearer to something than planners plan
   bool virtual_in_force = false;  // planners see virtual obstacles
 };
 
@@ -32,6 +32,7 @@ enum class RecoveryAction {
   none,
   back_off,                // away from the nearest known point for a while
   look_around,             // then plan anew
+  squeeze,                 // for a while go closer to known points than planners plan
   add_virtual_obstacle,    // where the governor refused, then plan anew
   drop_virtual_obstacles,  // planning failed with them: look around, plan anew
 };

@@ -4,6 +4,8 @@
 #include <array>
 #include <cmath>
 
+#include "voronaut/planners/navigation/departure.h"
+
 namespace voronaut {
 
 namespace {
@@ -29,9 +31,10 @@ SafetyGovernor::SafetyGovernor(const VelocityResponse& response, double body_rad
       hold_s_(hold_s) {}
 
 const GovernedCourse& SafetyGovernor::allow(const Vec2& v_wanted_world, const VehicleState& state,
-                                            const FreeSpace& free, const ObstacleSnapshot& known) {
+                                            const FreeSpace& free, const ObstacleSnapshot& known,
+                                            bool squeezing) {
   const PlanarMotion now = response_.motion_of(state);
-  double keep_m = keep_from_known_m_;
+  double keep_m = squeezing ? 0 : keep_from_known_m_;
   if (const auto closest = known.nearest(now.p_m, keep_m)) {
     keep_m = std::max(0.0, (known.points()[*closest] - now.p_m).norm() - kRounding_m);
   }
@@ -80,9 +83,18 @@ bool SafetyGovernor::is_safe(double share, const Vec2& v_wanted_world, const Pla
     if (!known.swept_disc_is_clear(pieces_[i], pieces_[i + 1], keep_m)) return false;
   }
   for (std::size_t i = 0; i + 1 < pieces_.size(); ++i) {
-    if (!free.swept_disc_is_free(pieces_[i], pieces_[i + 1], radius_m)) return false;
+    if (!free.swept_disc_is_free(pieces_[i], pieces_[i + 1], radius_m)) {
+      return departs(course_at(share, v_wanted_world, now), now, free, radius_m);
+    }
   }
   return true;
+}
+
+bool SafetyGovernor::departs(const Vec2& course_m_s, const PlanarMotion& now, const FreeSpace& free,
+                             double radius_m) {
+  if (std::max(course_m_s.norm(), now.v_m_s.norm()) > kDepartureSpeed_m_s) return false;
+  free.unknown_cells_in_tube(pieces_, radius_m, unknown_cells_);
+  return leads_away(course_m_s, pieces_, unknown_cells_);
 }
 
 void SafetyGovernor::straighten_track() {

@@ -36,6 +36,9 @@ struct GovernedCourse {
 //    there crosses the range finder's plane: tilting does not turn that plane (a levelled sensor).
 // tests/planners/navigation/safety_governor_test.cpp breaks each of these and shows the contact.
 //
+// At rest or slow, a course may also lead away from whatever unknown cells its tube touches
+// (planners/navigation/departure.h): what stands there was not touched before either.
+//
 // Besides, a track keeps min(clearance_min_m - kKnownMargin_m, the clearance there is now) from
 // known points: closer than that planner and governor would wait for each other.
 //
@@ -54,14 +57,19 @@ class SafetyGovernor {
   // The fastest of a few shares of v_wanted_world [m/s] that is safe from `state` on. Zero is
   // braking, which is always allowed. O(time to rest), a few thousand instructions for a course
   // that is safe as it is, four times that for one that is not.
+  // `squeezing`: no margin is kept from known points, only what is known to be free is asked.
   const GovernedCourse& allow(const Vec2& v_wanted_world, const VehicleState& state,
-                              const FreeSpace& free, const ObstacleSnapshot& known);
+                              const FreeSpace& free, const ObstacleSnapshot& known,
+                              bool squeezing = false);
 
  private:
   Vec2 course_at(double share, const Vec2& v_wanted_world, const PlanarMotion& now) const;
   double tube_radius_m(double share, const Vec2& v_wanted_world, const PlanarMotion& now) const;
   bool is_safe(double share, const Vec2& v_wanted_world, const PlanarMotion& now,
                const FreeSpace& free, const ObstacleSnapshot& known, double keep_m);
+  // What unknown cells the tube touches, a slow course leaves behind.
+  bool departs(const Vec2& course_m_s, const PlanarMotion& now, const FreeSpace& free,
+               double radius_m);
   void straighten_track();
 
   VelocityResponse response_;
@@ -72,6 +80,7 @@ class SafetyGovernor {
   GovernedCourse course_;
   std::vector<Vec2> track_;   // as predicted
   std::vector<Vec2> pieces_;  // its corners
+  std::vector<Vec2> unknown_cells_;
 };
 
 }  // namespace voronaut

@@ -79,5 +79,32 @@ TEST(Claim, JudgesPathRatiosOverManyArrivalsOnly) {
       "a: mean path ratio <= 1.11 (1.1 over 120); 95 % of path ratios <= 1.19 (1.2 over 120)");
 }
 
+TEST(Claim, ComparesSpeedsInWorldsThatBothFinished) {
+  std::vector<RunRecord> flights;
+  for (int world = 0; world < 200; ++world) {
+    for (const char* planner : {"careful", "bold"}) {
+      RunRecord flight = record(planner, Outcome::goal_reached, 0.4, 1.0);
+      flight.repetition = world;
+      flight.speed_mean_m_s = planner[0] == 'c' ? 1.8 : 2;
+      // Where the bold one fails, the careful one is slow: no pair.
+      if (world % 2 == 0) {
+        if (planner[0] == 'b') flight.outcome = Outcome::collision;
+        flight.speed_mean_m_s = 1;
+      }
+      flights.push_back(flight);
+    }
+  }
+  Claim claim;
+  claim.planner = "careful";
+  claim.speed_beside = "bold";
+  claim.speed_ratio_min = 0.89;
+  EXPECT_TRUE(examine(claim, flights).holds);
+  EXPECT_EQ(examine(claim, flights).text, "careful: mean speed >= 0.89 x bold (0.9 over 100)");
+  claim.speed_ratio_min = 0.91;
+  EXPECT_FALSE(examine(claim, flights).holds);
+  claim.speed_beside = "nobody";
+  EXPECT_FALSE(examine(claim, flights).holds);
+}
+
 }  // namespace
 }  // namespace voronaut

@@ -33,6 +33,7 @@ TEST(RecoveryPolicy, GoesFromTheMildestStepToTheHarshest) {
   EXPECT_EQ(next_action(policy, now_s, stalled), RecoveryAction::back_off);
   EXPECT_GE(now_s, kTimeout_s);
   EXPECT_EQ(next_action(policy, now_s, stalled), RecoveryAction::look_around);
+  EXPECT_EQ(next_action(policy, now_s, stalled), RecoveryAction::squeeze);
   EXPECT_EQ(next_action(policy, now_s, stalled), RecoveryAction::add_virtual_obstacle);
 }
 

@@ -9,6 +9,7 @@
 #include "voronaut/environments/sensing/range_finder.h"
 #include "voronaut/environments/world.h"
 #include "voronaut/planners/mapping/obstacle_base.h"
+#include "voronaut/tests/planners/mapping/known_points.h"
 
 namespace voronaut {
 namespace {
@@ -146,6 +147,32 @@ TEST(SafetyGovernor, NamesThePlaceThatNobodyKnows) {
   ASSERT_TRUE(course.refused_at);
   EXPECT_FALSE(free.is_free(*course.refused_at));
   EXPECT_GT(course.refused_at->x(), 0);
+}
+
+TEST(SafetyGovernor, LetsAVehicleLeaveAWallThatItStandsTooCloseTo) {
+  for (const char* name : {"ideal", "quadrotor"}) {
+    const VehicleSpec spec = vehicle(name);
+    SafetyGovernor governor(velocity_response(regulator(spec.regulator), spec), kBodyRadius_m,
+                            kClearance_m, 0.05);
+    FreeSpace free(kBounds);
+    free.mark_disc(Vec2(-1, 0), 1.2);  // the body's own disc is not wholly known free
+    const VehicleState state = make_model(spec.model)->at_rest({0, 0, 1}, {1, 0});
+    EXPECT_GT(governor.allow(Vec2(-1, 0), state, free, {}).share, 0) << name;
+    EXPECT_EQ(governor.allow(Vec2(1, 0), state, free, {}).share, 0) << name;
+    EXPECT_EQ(governor.allow(Vec2(0, 1), state, free, {}).share, 0) << name;
+  }
+}
+
+TEST(SafetyGovernor, LetsAVehicleSqueezeThroughWhatIsKnownFreeOnly) {
+  SafetyGovernor governor(velocity_response(regulator("ideal"), vehicle("ideal")), kBodyRadius_m,
+                          kClearance_m, 0.05);
+  FreeSpace free(kBounds);
+  free.mark_disc(Vec2(0, 0), 3);
+  const auto posts = test::base_of({Vec2(0.1, 0.35), Vec2(0.1, -0.35)});
+  const ObstacleSnapshot known = posts->snapshot();
+  const VehicleState state = make_model(vehicle("ideal").model)->at_rest({0, 0, 1}, {1, 0});
+  EXPECT_EQ(governor.allow(Vec2(1, 0), state, free, known).share, 0);
+  EXPECT_GT(governor.allow(Vec2(1, 0), state, free, known, true).share, 0);
 }
 
 // Each condition of the proof, broken: the vehicle touches.
