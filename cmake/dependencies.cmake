@@ -39,3 +39,11 @@ find_path(VORONAUT_SLEEF_INCLUDE_DIR sleef.h REQUIRED)
 find_library(VORONAUT_SLEEF_LIBRARY sleef REQUIRED)
 voronaut_system_library(voronaut_sleef
   INCLUDES ${VORONAUT_SLEEF_INCLUDE_DIR} LIBRARIES ${VORONAUT_SLEEF_LIBRARY})
+
+# Optional: figures as PNG.
+find_package(PkgConfig QUIET)
+if(PKG_CONFIG_FOUND)
+  pkg_check_modules(VORONAUT_RSVG QUIET "librsvg-2.0>=2.52" cairo-png)
+endif()
+voronaut_system_library(voronaut_rsvg
+  INCLUDES ${VORONAUT_RSVG_INCLUDE_DIRS} LIBRARIES ${VORONAUT_RSVG_LINK_LIBRARIES})

@@ -94,7 +94,9 @@ struct Commands {
   void add_report(CLI::App& app) {
     report_command = add_command(app, "report", "Write what a run says about its planners");
     report_command
-        ->add_option("DIR", report.folder, "Folder of results, or a JSON file of voronaut-micro")
+        ->add_option("DIR", report.folder,
+                     "Folder of results (micro.json of voronaut-micro in it becomes a page), or "
+                     "such a file alone")
         ->required();
     add_data(report_command, report.data);
     report_command->add_option("-o,--output", report.out,
@@ -106,17 +108,24 @@ struct Commands {
   }
 
   void add_plot(CLI::App& app) {
-    plot_command = add_command(app, "plot", "Draw trials as an SVG figure, one panel per world");
+    plot_command = add_command(app, "plot", "Draw trials as a figure, one panel per world");
     add_folder(plot_command, plot.folder);
-    plot_command->add_option("TRIAL_ID", plot.trial_ids, "Or their beginnings")->required();
-    plot_command->add_option("-o,--output", plot.out, "SVG file")->required();
+    plot_command->add_option("TRIAL_ID", plot.trial_ids, "Or their beginnings");
+    plot_command->add_option("--scenario", plot.scenarios, "Instead of ids: only these, a,b,...")
+        ->delimiter(',');
+    plot_command->add_option("--vehicle", plot.vehicles, "Instead of ids: only these")
+        ->delimiter(',');
+    plot_command->add_option("--planner", plot.planners, "Instead of ids: only these, by label")
+        ->delimiter(',');
+    plot_command->add_option("--repetition", plot.repetition, "Instead of ids: this one, from 0");
+    plot_command->add_option("-o,--output", plot.out, "File.svg or file.png")->required();
   }
 
   void add_show(CLI::App& app) {
-    show_command = add_command(app, "show", "Draw a scenario or a foreign world as an SVG figure");
+    show_command = add_command(app, "show", "Draw a scenario or a foreign world as a figure");
     show_command->add_option("FILE", show.file, "Scenario file, or a file of docs/formats.md")
         ->required();
-    show_command->add_option("-o,--output", show.out, "SVG file")->required();
+    show_command->add_option("-o,--output", show.out, "File.svg or file.png")->required();
     show_command->add_option("--seed", show.seed, "Of a random world")
         ->check(CLI::Range(std::int64_t{0}, std::numeric_limits<std::int64_t>::max()));
     add_data(show_command, show.data);

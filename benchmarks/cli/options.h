@@ -63,13 +63,17 @@ struct EvidenceOptions {
 
 struct PlotOptions {
   std::string folder;
-  std::vector<std::string> trial_ids;  // or their beginnings
-  std::string out;                     // an SVG file
+  std::vector<std::string> trial_ids;  // or their beginnings; else the choice below
+  std::vector<std::string> scenarios;  // empty: all
+  std::vector<std::string> vehicles;   // the same
+  std::vector<std::string> planners;   // the same, by label
+  std::optional<std::int64_t> repetition;
+  std::string out;  // .svg or .png
 };
 
 struct ShowOptions {
   std::string file;  // a scenario or a foreign world
-  std::string out;   // an SVG file
+  std::string out;   // .svg or .png
   std::uint64_t seed = 1;
   std::string data;
 };

@@ -1,48 +1,80 @@
 #include <algorithm>
 #include <ostream>
 #include <stdexcept>
+#include <tuple>
 
 #include "voronaut/benchmarks/cli/commands.h"
 #include "voronaut/benchmarks/results/output_folder.h"
-#include "voronaut/reports/figures/svg_figure.h"
-#include "voronaut/reports/store/atomic_file.h"
+#include "voronaut/environments/config/nearest_name.h"
+#include "voronaut/reports/figures/figure_file.h"
+#include "voronaut/reports/figures/figure_panels.h"
 
 namespace voronaut {
 
 namespace {
 
-TraceWorld world_of(const ResultStore& store, const RunRecord& record) {
-  for (TraceWorld& world : store.worlds())
-    if (world.world_id == record.world_id) return std::move(world);
-  throw std::invalid_argument("trial " + record.trial_id + ": its world is not stored");
+using Names = std::vector<std::string>;
+
+bool among(const Names& chosen, const std::string& name) {
+  return chosen.empty() || std::find(chosen.begin(), chosen.end(), name) != chosen.end();
 }
 
-FigureTrack track_of(const ResultStore& store, const RunRecord& record) {
-  auto trace = store.trace(record.trial_id);
-  if (!trace)
-    throw std::invalid_argument("trial " + record.trial_id +
-                                ": no trace is stored (see 'traces' in the suite)");
-  return {record.planner, record.outcome, std::move(*trace)};
+// A name that no trial has is a mistake, not an empty choice.
+template <class Member>
+void require_known(const Names& chosen, const std::vector<RunRecord>& records, const char* option,
+                   Member member) {
+  Names known;
+  for (const RunRecord& record : records) known.push_back(member(record));
+  std::sort(known.begin(), known.end());
+  known.erase(std::unique(known.begin(), known.end()), known.end());
+  for (const std::string& name : chosen) {
+    if (!std::binary_search(known.begin(), known.end(), name))
+      throw std::invalid_argument(option + (" " + in_quotes(name)) + ": no trial has it" +
+                                  allowed_names(name, known));
+  }
+}
+
+// By scenario, repetition, vehicle and planner; those without a trace are left out.
+Names chosen_trials(const PlotOptions& options, const OutputFolder& folder) {
+  std::vector<RunRecord> records = folder.store().records();
+  std::sort(records.begin(), records.end(), [](const RunRecord& a, const RunRecord& b) {
+    return std::tie(a.scenario, a.repetition, a.vehicle, a.planner, a.trial_id) <
+           std::tie(b.scenario, b.repetition, b.vehicle, b.planner, b.trial_id);
+  });
+  require_known(options.scenarios, records, "--scenario", [](auto& r) { return r.scenario; });
+  require_known(options.vehicles, records, "--vehicle", [](auto& r) { return r.vehicle; });
+  require_known(options.planners, records, "--planner", [](auto& r) { return r.planner; });
+  const auto sizes = folder.store().trace_sizes();
+  Names ids;
+  for (const RunRecord& record : records) {
+    const bool wanted = among(options.scenarios, record.scenario) &&
+                        among(options.vehicles, record.vehicle) &&
+                        among(options.planners, record.planner) &&
+                        (!options.repetition || *options.repetition == record.repetition);
+    if (wanted && sizes.contains(record.trial_id)) ids.push_back(record.trial_id);
+  }
+  if (ids.empty())
+    throw std::invalid_argument(
+        options.folder + ": no trial of this choice has a trace (see 'traces' in the suite)");
+  return ids;
 }
 
 }  // namespace
 
 ExitCode execute(const PlotOptions& options, const CommandContext& context) {
+  check_figure_name(options.out);
+  const bool chosen = !options.scenarios.empty() || !options.vehicles.empty() ||
+                      !options.planners.empty() || options.repetition.has_value();
+  if (chosen == !options.trial_ids.empty())
+    throw std::invalid_argument(
+        "plot: either trial ids, or a choice by --scenario, --vehicle, --planner, --repetition");
   const OutputFolder folder = OutputFolder::open(options.folder);
-  std::vector<FigurePanel> panels;
+  Names ids;
   for (const std::string& beginning : options.trial_ids) {
-    const RunRecord record = folder.store().record(folder.complete_id(beginning)).value();
-    FigureTrack track = track_of(folder.store(), record);
-    const auto panel = std::find_if(panels.begin(), panels.end(), [&](const FigurePanel& known) {
-      return known.world.world_id == record.world_id;
-    });
-    if (panel != panels.end()) {
-      panel->tracks.push_back(std::move(track));
-    } else {
-      panels.push_back({record.scenario, world_of(folder.store(), record), {std::move(track)}});
-    }
+    ids.push_back(folder.complete_id(beginning));
   }
-  write_file_atomically(options.out, svg_figure(panels));
+  if (chosen) ids = chosen_trials(options, folder);
+  write_figure(figure_panels(folder.store(), ids), options.out);
   context.out << options.out << "\n";
   return ExitCode::success;
 }

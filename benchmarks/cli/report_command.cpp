@@ -44,6 +44,13 @@ ExitCode report_mapping(const ReportOptions& options, const CommandContext& cont
   return ExitCode::success;
 }
 
+// What voronaut-micro printed, if it lies in the folder as micro.json.
+std::string mapping_beside(const OutputFolder& folder, const ReportOptions& options) {
+  const std::filesystem::path micro = folder.file("micro.json");
+  if (!std::filesystem::exists(micro)) return {};
+  return mapping_data_json(micro, micro::map_logs(DataLocation::find(options.data).folder));
+}
+
 }  // namespace
 
 ExitCode execute(const ReportOptions& options, const CommandContext& context) {
@@ -62,7 +69,7 @@ ExitCode execute(const ReportOptions& options, const CommandContext& context) {
     const std::filesystem::path file =
         options.out.empty() ? folder.file("report.html") : std::filesystem::path(options.out);
     if (options.out.empty()) folder.write_csv();
-    folder.write_report(file, std::move(comparison));
+    folder.write_report(file, std::move(comparison), mapping_beside(folder, options));
     context.out << file.string() << "\n";
   }
   return ExitCode::success;

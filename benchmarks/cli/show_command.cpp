@@ -1,14 +1,11 @@
 #include <filesystem>
 #include <ostream>
-#include <stdexcept>
 
 #include "voronaut/benchmarks/cli/commands.h"
 #include "voronaut/benchmarks/episode/episode_trace.h"
-#include "voronaut/environments/config/nearest_name.h"
 #include "voronaut/environments/formats/foreign_formats.h"
 #include "voronaut/environments/world.h"
-#include "voronaut/reports/figures/svg_figure.h"
-#include "voronaut/reports/store/atomic_file.h"
+#include "voronaut/reports/figures/figure_file.h"
 
 namespace voronaut {
 namespace {
@@ -55,14 +52,11 @@ std::vector<FigurePanel> scenario_panels(const ShowOptions& options) {
 }  // namespace
 
 ExitCode execute(const ShowOptions& options, const CommandContext& context) {
-  const std::string ending = std::filesystem::path(options.out).extension().string();
-  if (ending != ".svg")
-    throw std::invalid_argument("-o " + in_quotes(options.out) +
-                                ": expected a name that ends in .svg");
+  check_figure_name(options.out);
   const bool foreign = is_foreign_file(options.file);
   const std::vector<FigurePanel> panels =
       foreign ? std::vector{foreign_panel(options.file)} : scenario_panels(options);
-  write_file_atomically(options.out, svg_figure(panels));
+  write_figure(panels, options.out);
   context.out << options.out << "\n";
   return ExitCode::success;
 }

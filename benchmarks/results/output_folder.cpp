@@ -124,12 +124,13 @@ void OutputFolder::write_csv() const {
   write_file_atomically(file("results.csv"), records_to_csv(store_.records()));
 }
 
-void OutputFolder::write_report(const fs::path& file,
-                                std::optional<RunComparison> comparison) const {
+void OutputFolder::write_report(const fs::path& file, std::optional<RunComparison> comparison,
+                                const std::string& mapping_json) const {
   const std::string suite = store_.records().empty() ? "empty" : store_.records().front().suite;
   ReportInput input = read_report_input(store_, suite, text_of(this->file("manifest.json")));
   input.folder = folder_.string();
   input.comparison = std::move(comparison);
+  input.mapping_json = mapping_json;
   write_html_report(input, file);
 }
 

@@ -41,9 +41,9 @@ class OutputFolder {
   void write_manifest(const std::string& json) const;
   void write_csv() const;
   // The HTML report, by default as report.html in the folder.
-  void write_report() const { write_report(file("report.html"), {}); }
-  void write_report(const std::filesystem::path& file,
-                    std::optional<RunComparison> comparison) const;
+  void write_report() const { write_report(file("report.html"), {}, {}); }
+  void write_report(const std::filesystem::path& file, std::optional<RunComparison> comparison,
+                    const std::string& mapping_json) const;
   // What this run says against another one.
   RunComparison compare_with(const OutputFolder& before) const;
 

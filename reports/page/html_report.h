@@ -27,6 +27,7 @@ struct ReportInput {
   std::size_t stored_traces = 0;                   // how many there were to choose from
   std::string folder = {};  // where the run lies, for the command that repeats a trial
   std::optional<RunComparison> comparison = {};  // against another run
+  std::string mapping_json = {};  // mapping_data_json() of microbenchmarks beside it; empty: none
 };
 
 // What a store holds. If its traces take more than `max_trace_bytes` in the report, representative

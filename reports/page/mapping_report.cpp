@@ -35,32 +35,50 @@ nlohmann::json json_of(const MappedLog& log) {
           {"track", json_of(log.track)}};
 }
 
-}  // namespace
-
-std::string mapping_report(const std::string& title, const std::string& micro_json,
-                           const std::vector<MappedLog>& logs) {
+nlohmann::json data_of(const std::string& micro_json, const std::vector<MappedLog>& logs) {
   nlohmann::json micro = parse_as("not JSON", [&] { return nlohmann::json::parse(micro_json); });
   if (!micro.is_object() || !micro.contains("benchmarks") || !micro["benchmarks"].is_array()) {
     throw std::invalid_argument(
         "no list 'benchmarks', expected is what voronaut-micro --benchmark_format=json prints");
   }
-  nlohmann::json data{{"title", title}, {"micro", std::move(micro)}};
-  data["logs"] = nlohmann::json::array();
+  nlohmann::json data{{"micro", std::move(micro)}, {"logs", nlohmann::json::array()}};
   for (const MappedLog& log : logs) data["logs"].push_back(json_of(log));
-  return page_with(title, json_text(data));
+  return data;
 }
 
-void write_mapping_report(const std::filesystem::path& micro_json,
-                          const std::vector<MappedLog>& logs, const std::filesystem::path& page) {
+// What `make` makes of the file's text; an error names the file.
+template <class Make>
+std::string made_of(const std::filesystem::path& micro_json, Make&& make) {
   std::ifstream file(micro_json);
   std::ostringstream text;
   text << file.rdbuf();
   if (!file) throw std::invalid_argument(micro_json.string() + ": cannot be read");
   try {
-    write_file_atomically(page, mapping_report("The mapping step", text.str(), logs));
+    return make(text.str());
   } catch (const std::invalid_argument& error) {
     throw std::invalid_argument(micro_json.string() + ": " + error.what());
   }
+}
+
+}  // namespace
+
+std::string mapping_report(const std::string& title, const std::string& micro_json,
+                           const std::vector<MappedLog>& logs) {
+  nlohmann::json data = data_of(micro_json, logs);
+  data["title"] = title;
+  return page_with(title, json_text(data));
+}
+
+std::string mapping_data_json(const std::filesystem::path& file,
+                              const std::vector<MappedLog>& logs) {
+  return made_of(file, [&](const std::string& text) { return json_text(data_of(text, logs)); });
+}
+
+void write_mapping_report(const std::filesystem::path& micro_json,
+                          const std::vector<MappedLog>& logs, const std::filesystem::path& page) {
+  write_file_atomically(page, made_of(micro_json, [&](const std::string& text) {
+                          return mapping_report("The mapping step", text, logs);
+                        }));
 }
 
 }  // namespace voronaut

@@ -1,5 +1,13 @@
 // What the page was given (reports/page/report_data.h).
 
+import type { MappedLog } from "./mapped_log";
+import type { Micro } from "./micro_results";
+
+export interface MappingData {
+  micro: Micro;
+  logs: MappedLog[];
+}
+
 export interface Estimate {
   value: number | null;
   interval: [number | null, number | null];
@@ -133,6 +141,7 @@ interface Payload {
   stored_traces: number;
   folder: string;  // as it was named on the command line
   comparison: Comparison | null;
+  mapping: MappingData | null;
 }
 
 export interface Report extends Omit<Payload, "trials" | "worlds"> {

@@ -1,12 +1,12 @@
 import { comparisonSection } from "./comparison";
-import { kGoal, readReport, Report } from "./data";
+import { kGoal, MappingData, readReport, Report } from "./data";
 import { distributions } from "./distributions";
 import { el, percent } from "./dom";
 import { failuresSection } from "./failures";
 import { figure9Section, hasFigure9 } from "./figure9";
 import { filterBar } from "./filter_bar";
 import { pageOf } from "./links";
-import { buildMappingPage } from "./mapping";
+import { buildMappingPage, mappingSection } from "./mapping";
 import { overview } from "./overview";
 import { Palette } from "./palette";
 import { manifestEntries, provenanceSection } from "./provenance";
@@ -66,6 +66,8 @@ function pagesOf(report: Report, palette: Palette, replay: Replay): Page[] {
       draw: (f) => failuresSection(report, palette, f) },
     report.comparison !== null && { id: "comparison", title: "Against another run", nav: "Comparison",
       draw: (f) => comparisonSection(report, palette, f) },
+    report.mapping !== null && { id: "mapping", title: "The mapping step", nav: "Mapping",
+      draw: () => mappingSection(report.mapping as MappingData) },
     { id: "provenance", title: "Where this comes from", nav: "Provenance",
       draw: () => provenanceSection(report) },
   ];

@@ -1,24 +1,20 @@
 // What the mapping step costs beside other maps, how the cost grows, and what it makes of recorded
-// lidar. drawMapping() fills any container: a page of its own or a section of a run's report.
+// lidar: a page of a run's report, or a report of its own.
 import { axisBottom, axisLeft } from "d3-axis";
 import { scaleLog } from "d3-scale";
-import { select } from "d3-selection";
 
+import type { MappingData } from "./data";
 import { button, csv, el, fixed, saveText, svg } from "./dom";
+import { drawAxes, figureOf, frame, kHeight, kMargin, kWidth, legend } from "./figure";
 import { drawLog, MappedLog } from "./mapped_log";
-import { Cost, costsOf, exponentOf, kAnswers, Micro } from "./micro_results";
+import { Cost, costsOf, exponentOf, kAnswers } from "./micro_results";
+import { Palette } from "./palette";
 
-export interface MappingResults {
+export interface MappingResults extends MappingData {
   title: string;
-  micro: Micro;
-  logs: MappedLog[];
 }
 
 const kOwn = "voronaut";
-const kWidth = 560;
-const kHeight = 340;
-const kMargin = { top: 14, right: 20, bottom: 46, left: 62 };
-const kTaste = 8;  // colours there are
 
 function tableOf(head: string[], rows: string[][], texts: number): HTMLElement {
   const cell = (tag: "th" | "td", text: string, i: number): HTMLElement =>
@@ -45,33 +41,30 @@ function costTable(costs: Cost[]): HTMLElement {
 // Cost over an argument, both logarithmic, one line per map.
 function linesOf(id: string, title: string, xName: string, costs: Cost[], note: string): HTMLElement {
   const maps = [...new Set(costs.map((c) => c.map))];
+  const palette = new Palette(maps);
   const span = (values: number[]): [number, number] => [Math.min(...values) / 1.2, Math.max(...values) * 1.2];
   const x = scaleLog().domain(span(costs.map((c) => c.at))).range([kMargin.left, kWidth - kMargin.right]);
   const y = scaleLog().domain(span(costs.map((c) => c.us))).range([kHeight - kMargin.bottom, kMargin.top]);
-  const root = svg("svg", { viewBox: `0 0 ${kWidth} ${kHeight}`, role: "img", "aria-label": title });
+  const root = frame(title);
   const ats = [...new Set(costs.map((c) => c.at))];
-  select(root).append("g").attr("class", "axis").attr("transform", `translate(0,${kHeight - kMargin.bottom})`)
-    .call(axisBottom(x).tickValues(ats).tickFormat((v: any) => String(v)) as any);
-  select(root).append("g").attr("class", "axis").attr("transform", `translate(${kMargin.left},0)`)
-    .call(axisLeft(y).ticks(5, "~g") as any);
-  root.append(
-    svg("text", { class: "label", x: kWidth / 2, y: kHeight - 8, "text-anchor": "middle" }, xName),
-    svg("text", { class: "label", x: 14, y: kHeight / 2, "text-anchor": "middle",
-      transform: `rotate(-90 14 ${kHeight / 2})` }, "CPU time per scan in \u00B5s"));
-  maps.forEach((map, i) => {
+  const yName = "CPU time per scan in \u00B5s";
+  drawAxes(root, { x, xName, y, yName, yGrid: true, yTicks: axisLeft(y).ticks(5, "~g"),
+    xTicks: axisBottom(x).tickValues(ats).tickFormat((v: any) => String(v)) });
+  for (const map of maps) {
     const own = costs.filter((c) => c.map === map).sort((a, b) => a.at - b.at);
     const path = own.map((c, k) => `${k ? "L" : "M"}${x(c.at).toFixed(1)},${y(c.us).toFixed(1)}`).join("");
-    const g = svg("g", { class: `p${i % kTaste}`, "data-map": map },
-      svg("path", { class: "curve", d: path, "stroke-dasharray": i === 0 ? "none" : `${2 + i} 3` }));
-    for (const c of own) {
-      g.append(svg("circle", { cx: x(c.at), cy: y(c.us), r: 3.2, fill: "var(--planner)" },
-        svg("title", {}, `${map} at ${c.at}: ${fixed(c.us, 2)} \u00B5s, n = ${c.runs}`)));
-    }
-    const last = own[own.length - 1];
-    g.append(svg("text", { class: "faint", x: x(last.at) - 6, y: y(last.us) - 6, "text-anchor": "end" }, map));
-    root.append(g);
-  });
-  return el("figure", { id }, el("figcaption", {}, el("h3", {}, title)), root, el("p", { class: "note" }, note));
+    root.append(svg("g", { class: palette.className(map), "data-map": map },
+      svg("path", { class: "curve", d: path, "stroke-dasharray": palette.dash(map) }),
+      ...own.map((c) => svg("path", { class: "point", d: palette.symbolPath(map, 64), "data-value": c.us,
+        transform: `translate(${x(c.at).toFixed(1)},${y(c.us).toFixed(1)})`,
+        "data-tip": `${map} at ${c.at} ${xName}\n${fixed(c.us, 2)} \u00B5s, median of n = ${c.runs}` }))));
+  }
+  const counts = (map: string): string => {
+    const ns = [...new Set(costs.filter((c) => c.map === map).map((c) => c.runs))].sort((a, b) => a - b);
+    return `n = ${ns.length > 1 ? `${ns[0]} to ${ns[ns.length - 1]}` : ns[0]} each`;
+  };
+  return figureOf(id, title, note, root, legend(maps.map((map) => ({ planner: map, count: counts(map) })), palette),
+    () => csv(["map", xName, yName, "n"], costs.map((c) => [c.map, c.at, c.us, c.runs])));
 }
 
 function growthSection(costs: Cost[]): HTMLElement {
@@ -96,7 +89,7 @@ function logSection(logs: MappedLog[], costs: Cost[]): HTMLElement {
     el("div", { class: "plots" }, ...logs.map(drawLog)));
 }
 
-export function drawMapping(container: HTMLElement, results: MappingResults): void {
+function drawMapping(container: HTMLElement, results: MappingData): void {
   const forest = costsOf(results.micro, "mapping/forest");
   const growth = costsOf(results.micro, "mapping/growth");
   const lidar = costsOf(results.micro, "mapping/lidar");
@@ -119,6 +112,13 @@ export function drawMapping(container: HTMLElement, results: MappingResults): vo
           growth.length > 0 ? growthSection(growth) : null)),
     results.logs.length > 0 ? logSection(results.logs, lidar) :
       el("p", { class: "note" }, "No recorded lidar: give the folder of data sets with --data or VORONAUT_DATA."));
+}
+
+// A page of a run's report.
+export function mappingSection(results: MappingData): HTMLElement {
+  const place = el("div");
+  drawMapping(place, results);
+  return place;
 }
 
 // The page of `voronaut report micro.json`.

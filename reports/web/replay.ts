@@ -233,7 +233,7 @@ export class Replay {
   private describe(panel: Panel, k: number): void {
     const facts = factsAt(panel.trace, k);
     panel.readout.replaceChildren(...facts.map(([name, value]) =>
-      el("div", {}, el("dt", {}, name), el("dd", { title: value }, el("bdi", {}, value)))));
+      el("div", name === "governor" ? { class: "wide" } : {}, el("dt", {}, name), el("dd", { title: value }, el("bdi", {}, value)))));
     panel.canvas.setAttribute("aria-label", `${panel.trial.planner} at ${this.t_s.toFixed(2)} s: ` +
       facts.map(([name, value]) => `${name} ${value}`).join(", "));
     panel.figure.dataset.frame = String(k);

@@ -172,13 +172,18 @@ function sceneCard(report: Report, scene: Scene, shown: Set<string>, mapOf: stri
   return card;
 }
 
-// Drawings below the screen wait until they are scrolled to, or printed.
+// Drawings below the screen wait until they are scrolled to, or the browser has nothing else to do: paper
+// shows what is drawn by then.
 export function whenSeen(element: Element, action: () => void): void {
   let done = false;
   const once = (): void => {
     if (!done) action();
     done = true;
   };
+  const whenIdle = window.requestIdleCallback ?? ((later: () => void) => setTimeout(later, 1000));
+  whenIdle(() => {
+    if (element.getClientRects().length > 0) once();
+  }, { timeout: 2000 });
   const observer = new IntersectionObserver((entries) => {
     if (entries.some((entry) => entry.isIntersecting)) {
       observer.disconnect();

@@ -27,7 +27,7 @@ const kDegrees = 180 / Math.PI;
 export const kQuantities: Quantity[] = [
   { id: "speed", title: "Speed", unit: "m/s", lines: (f) => [f.speed_m_s] },
   { id: "clearance", title: "Clearance, centre to surface", unit: "m", lines: (f) => [f.clearance_m] },
-  { id: "share", title: "Share of the speed asked for that the governor allowed", unit: "%",
+  { id: "share", title: "Speed that the governor allowed", unit: "% of what was asked",
     lines: (f) => f.tube.some((tube) => tube.length > 0) ? [f.share.map((v) => 100 * v)] : [] },
   { id: "tilt", title: "Tilt", unit: "degrees", lines: (f) => [f.tilt_rad.map((v) => v * kDegrees)] },
   { id: "planning", title: "Planning time per scan (measured)", unit: "\u00B5s",

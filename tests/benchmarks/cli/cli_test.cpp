@@ -10,6 +10,7 @@
 #include <gtest/gtest.h>
 #include <sys/wait.h>
 
+#include "voronaut/reports/figures/figure_file.h"
 #include "voronaut/tests/benchmarks/small_suite.h"
 
 namespace voronaut {
@@ -145,7 +146,20 @@ TEST_F(CommandLine, DrawsScenariosAndForeignWorlds) {
   EXPECT_THAT(text_of(path("c.svg")), ::testing::Not(HasSubstr("<circle")));  // no start
   const Answer picture = voronaut("show cells.map -o c.gif");
   EXPECT_EQ(picture.exit_code, 2);
-  EXPECT_EQ(picture.err, "voronaut: -o 'c.gif': expected a name that ends in .svg\n");
+  EXPECT_THAT(picture.err, StartsWith("voronaut: -o 'c.gif': expected a name that ends in .svg"));
+}
+
+TEST_F(CommandLine, DrawsAPngOrSaysWhatItNeedsForOne) {
+  write("cells.map", "type octile\nheight 2\nwidth 3\nmap\n...\n.@.\n");
+  const Answer answer = voronaut("show cells.map -o c.png");
+  if (!can_write_png()) {
+    EXPECT_EQ(answer.exit_code, 2);
+    EXPECT_THAT(answer.err, HasSubstr("-o 'c.png': this build has no librsvg"));
+    EXPECT_FALSE(std::filesystem::exists(path("c.png")));
+    return;
+  }
+  EXPECT_EQ(answer.exit_code, 0) << answer.err;
+  EXPECT_THAT(text_of(path("c.png")), StartsWith("\x89PNG\r\n"));
 }
 
 TEST_F(CommandLine, FindsNothingWrongWithTheSuitesThatShip) {
@@ -192,11 +206,32 @@ TEST_F(CommandLine, RunsASuiteAndAnswersQuestionsAboutIt) {
 
   EXPECT_EQ(voronaut("plot r " + id.substr(0, 10) + " -o figure.svg").exit_code, 0);
   EXPECT_THAT(text_of(path("figure.svg")), HasSubstr("<svg"));
+  EXPECT_EQ(voronaut("plot r --planner RRTConnect --repetition 0 -o chosen.svg").exit_code, 0);
+  EXPECT_THAT(text_of(path("chosen.svg")), HasSubstr(">RRTConnect<"));
+  for (const auto& [arguments, error] : std::map<std::string, std::string>{
+           {"--planner RRTConect", "--planner 'RRTConect': no trial has it"},
+           {"--repetition 7", "r: no trial of this choice has a trace"},
+           {"", "plot: either trial ids, or a choice"},
+           {id + " --repetition 0", "plot: either trial ids, or a choice"}}) {
+    const Answer wrong = voronaut("plot r " + arguments + " -o wrong.svg");
+    EXPECT_EQ(wrong.exit_code, 2) << arguments;
+    EXPECT_THAT(wrong.err, HasSubstr(error));
+  }
+  EXPECT_FALSE(std::filesystem::exists(path("wrong.svg")));
 
   EXPECT_THAT(voronaut("evidence r").out, HasSubstr("1 suites, 2 flights, 0 collisions"));
   std::filesystem::remove(path("r/report.html"));
   EXPECT_EQ(voronaut("report r").out, "r/report.html\n");
   EXPECT_TRUE(std::filesystem::exists(path("r/report.html")));
+  EXPECT_THAT(text_of(path("r/report.html")), HasSubstr("\"mapping\":null"));
+  write("r/micro.json", R"({"benchmarks": [{"name": "mapping/forest/voronaut/rays:181"}]})");
+  EXPECT_EQ(voronaut("report r").exit_code, 0);
+  EXPECT_THAT(text_of(path("r/report.html")), HasSubstr("mapping/forest/voronaut/rays:181"));
+  write("r/micro.json", "{}");
+  const Answer no_micro = voronaut("report r");
+  EXPECT_EQ(no_micro.exit_code, 2);
+  EXPECT_THAT(no_micro.err, HasSubstr("micro.json: no list 'benchmarks'"));
+  std::filesystem::remove(path("r/micro.json"));
 
   EXPECT_EQ(voronaut("report r -o page.html --compare voronaut-results/open").out, "page.html\n");
   EXPECT_THAT(text_of(path("page.html")), HasSubstr("\"title\":\"voronaut-results/open\""));

@@ -181,7 +181,8 @@ void Session::open(const std::filesystem::path& file, const std::string& fragmen
                                               {"deviceScaleFactor", 1},
                                               {"mobile", false}});
   const json scheme{{"name", "prefers-color-scheme"}, {"value", view.dark ? "dark" : "light"}};
-  call("Emulation.setEmulatedMedia", {{"features", json::array({scheme})}});
+  call("Emulation.setEmulatedMedia",
+       {{"media", view.print ? "print" : "screen"}, {"features", json::array({scheme})}});
   complaints_.clear();
   requests_.clear();
   loaded_ = false;

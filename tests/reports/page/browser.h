@@ -19,6 +19,7 @@ struct View {
   int width_px = 1280;
   int height_px = 1600;
   bool dark = false;
+  bool print = false;  // as the style sheet sets it for paper
 };
 
 class Session {

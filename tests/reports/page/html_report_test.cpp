@@ -43,7 +43,7 @@ TEST(ReportData, MatchesTheGoldenText) {
                     .stored_traces = 3};
   EXPECT_EQ(
       report_data_json(input),
-      R"({"comparison":null,"folder":"DIR","manifest":{"version":"0.1.0"},"outcomes":["goal_reached","collision","out_of_bounds",)"
+      R"({"comparison":null,"folder":"DIR","manifest":{"version":"0.1.0"},"mapping":null,"outcomes":["goal_reached","collision","out_of_bounds",)"
       R"("timeout","stuck","infeasible","invalid","killed","crash","memory"],"stored_traces":3,)"
       R"("summary":{"groups":[],"pairings":[],"totals":[]},"title":"golden","traces":{"t1":"//4="},)"
       R"("trials":{"budget_stops":{"index":[0],"texts":["0"]},"clearance_mean_m":[null],)"

@@ -1,0 +1,277 @@
+#include <cmath>
+#include <fstream>
+
+#include <gmock/gmock.h>
+
+#include "voronaut/tests/reports/page/report_in_browser.h"
+
+namespace voronaut {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::Not;
+
+class ReportPages : public ReportInBrowser {};
+
+TEST_F(ReportPages, ShowsTheNumbersOfTheRecords) {
+  synthetic::RunConfig config;
+  config.repetitions = 20;
+  const auto run = synthetic::make_run(config);
+  const ReportInput input = report_input_of(run, "A synthetic suite");
+  open(write_page("synthetic.html", input));
+  EXPECT_EQ(text("h1"), "A synthetic suite");
+  EXPECT_THAT(text("header"), HasSubstr("trials " + std::to_string(run.records.size())));
+  EXPECT_THAT(text("header"), HasSubstr("commit 0123abcd"));
+  const std::string shown = rows("overview");
+  for (const PlannerSummary& s : input.summary.groups) {
+    EXPECT_THAT(shown,
+                HasSubstr(s.group.scenario_group + " | " + s.planner + " | " + std::to_string(s.n) +
+                          " | " + decimal(std::round(100 * s.success.value), 0) + " % " +
+                          std::to_string(s.success.successes) + "/" + std::to_string(s.n) +
+                          ", 95 % [" + decimal(std::round(100 * s.success.interval.low), 0) + ", " +
+                          decimal(std::round(100 * s.success.interval.high), 0) + "] | " +
+                          std::to_string(s.collisions.successes)));
+    EXPECT_THAT(shown, HasSubstr(" | " + decimal(s.path_ratio_median.value, 3) + "["));
+  }
+}
+
+TEST_F(ReportPages, FailuresAreAPlateauOfTheCurvesNotAGapInThem) {
+  synthetic::RunConfig config;
+  config.repetitions = 20;
+  const auto run = synthetic::make_run(config);
+  const ReportInput input = report_input_of(run, "Plateaus");
+  open(write_page("plateaus.html", input), "#distributions");
+  for (const PlannerSummary& s : input.summary.totals) {
+    const std::string plateau =
+        session_->evaluate("document.querySelector('#path-ratio [data-planner=\"" + s.planner +
+                           "\"]').dataset.plateau");
+    EXPECT_NEAR(std::stod(plateau), s.success.value, 1e-9) << s.planner;
+  }
+}
+
+TEST_F(ReportPages, DrawsEveryTracedTrialAndEveryTracedFailureOnceMore) {
+  const auto run = synthetic::make_run();
+  const auto file = write_page("scenes.html", report_input_of(run, "Scenes"));
+  open(file, "#scenes");
+  EXPECT_EQ(count("#page-scenes figure"), std::to_string(run.worlds.size()));
+  EXPECT_EQ(count("#page-scenes .track"), std::to_string(run.traces.size()));
+  std::size_t failed_traces = 0;
+  for (const Trace& trace : run.traces) {
+    for (const RunRecord& record : run.records) {
+      failed_traces +=
+          record.trial_id == trace.trial_id && record.outcome != Outcome::goal_reached ? 1U : 0U;
+    }
+  }
+  const std::size_t circles = run.worlds.front().circles.size();
+  EXPECT_EQ(session_->evaluate("document.querySelector('figure[data-scene=\"" +
+                               run.records.front().scenario +
+                               "\"]').querySelectorAll('circle.obstacle').length"),
+            std::to_string(circles));
+  open(file, "#failures");
+  EXPECT_TRUE(session_->wait_for("document.querySelectorAll('#page-failures .track').length === " +
+                                 std::to_string(failed_traces)));
+}
+
+TEST_F(ReportPages, AFilterKeepsItsGroupOnlyOnEveryPage) {
+  const auto run = synthetic::make_run();
+  open(write_page("filter.html", report_input_of(run, "Filter")), "#scenes");
+  session_->evaluate(
+      "(() => { const s = document.querySelector('.filters select'); s.value = 'paper';"
+      " s.dispatchEvent(new Event('change')); })()");
+  EXPECT_EQ(count("#page-scenes figure"), "2");
+  for (const char* page : {"overview", "failures"}) {
+    go_to(page);
+    EXPECT_THAT(text("#page-" + std::string(page) + ""), Not(HasSubstr("forest"))) << page;
+  }
+  expect_quiet();
+}
+
+TEST_F(ReportPages, APlannerThatIsSwitchedOffIsNowhere) {
+  const auto run = synthetic::make_run();
+  open(write_page("chips.html", report_input_of(run, "Chips")));
+  session_->evaluate(
+      "[...document.querySelectorAll('.chip')].find(c => "
+      "c.textContent.includes('RRTConnect')).click()");
+  for (const char* page : {"overview", "distributions", "scenes", "failures"}) {
+    go_to(page);
+    EXPECT_THAT(text("#page-" + std::string(page) + ""), Not(HasSubstr("RRTConnect"))) << page;
+  }
+}
+
+TEST_F(ReportPages, AHeadingSortsItsColumn) {
+  const auto run = synthetic::make_run();
+  open(write_page("sort.html", report_input_of(run, "Sort")));
+  const std::string after =
+      "document.querySelectorAll('#page-overview table')[1].querySelectorAll('tbody tr')";
+  const std::string press =
+      "document.querySelectorAll('#page-overview table')[1].querySelectorAll('th "
+      "button')[6].click()";
+  const std::string values =
+      "[..." + after + "].map(r => parseFloat(r.cells[6].textContent)).join(',')";
+  session_->evaluate(press);
+  const std::string sorted =
+      session_->evaluate("(() => { const v = " + values +
+                         ".split(',').map(Number);"
+                         " return v.every((x, i) => i === 0 || isNaN(x) || v[i - 1] <= x); })()");
+  EXPECT_EQ(sorted, "true") << session_->evaluate(values);
+}
+
+TEST_F(ReportPages, SurvivesHostileNames) {
+  synthetic::RunConfig config;
+  config.planners = {"</script><script>document.title='broken'</script>",
+                     "\"quotes\" & 'more' \\ {{data}}", "\u202Eمخطط\u202C", std::string(200, 'w')};
+  config.groups = {"<img src=x onerror=alert(1)>"};
+  config.scenarios_per_group = 1;
+  const auto run = synthetic::make_run(config);
+  open(write_page("hostile.html", report_input_of(run, "</title><b>")));
+  EXPECT_EQ(session_->evaluate("document.title"), "</title><b>");
+  EXPECT_EQ(count("img, b > b, script:not([type]) + *"), "0");
+  for (const std::string& planner : config.planners) {
+    EXPECT_THAT(text("#page-overview"), HasSubstr(planner));
+  }
+  for (const char* page : {"distributions", "failures", "provenance", "scenes"}) {
+    go_to(page);
+  }
+  EXPECT_EQ(count("#page-scenes .track"), std::to_string(config.planners.size()));
+  EXPECT_EQ(count("img, b > b, script:not([type]) + *"), "0");
+  expect_quiet();
+  EXPECT_EQ(session_->evaluate("document.documentElement.scrollWidth <= window.innerWidth"),
+            "true");
+}
+
+TEST_F(ReportPages, AnEmptyRunIsAReportToo) {
+  open(write_page("empty.html", report_input_of({}, "Nothing ran")), "#failures");
+  EXPECT_THAT(text("#page-failures"), HasSubstr("Every trial reached the goal"));
+}
+
+TEST_F(ReportPages, ASweepShowsTheIntervalsOfTheSummary) {
+  synthetic::RunConfig config;
+  config.groups = {"forest-0.05", "forest-0.10", "forest-0.20"};
+  config.repetitions = 12;
+  const auto run = synthetic::make_run(config);
+  const ReportInput input = report_input_of(run, "A sweep");
+  open(write_page("sweep.html", input), "#sweeps");
+  for (const PlannerSummary& s : input.summary.groups) {
+    const std::string point = "[...document.querySelectorAll('#sweep-0-success [data-planner=\"" +
+                              s.planner + "\"] .point')].find(p => p.dataset.tip.includes('" +
+                              s.group.scenario_group + "'))";
+    EXPECT_NEAR(std::stod(session_->evaluate(point + ".dataset.value")), s.success.value, 1e-9);
+    EXPECT_THAT(session_->evaluate(point + ".dataset.tip"),
+                HasSubstr("[" + decimal(s.success.interval.low, 3) + ", " +
+                          decimal(s.success.interval.high, 3) + "]\nn = " + std::to_string(s.n)));
+  }
+}
+
+TEST_F(ReportPages, AComparisonSaysWhatChangedAndWhichTrialsEndOtherwise) {
+  const auto run = synthetic::make_run();
+  ReportInput input = report_input_of(run, "Now");
+  std::vector<RunRecord> before = run.records;
+  RunRecord& turned = before.front();
+  turned.outcome =
+      turned.outcome == Outcome::goal_reached ? Outcome::timeout : Outcome::goal_reached;
+  input.comparison = compare_runs(run.records, before);
+  input.comparison->title = "the run <before>";
+  open(write_page("comparison.html", input), "#comparison");
+  const std::string shown = text("#page-comparison");
+  EXPECT_THAT(shown, HasSubstr("the run <before>"));
+  EXPECT_THAT(shown, HasSubstr("1 trials end differently"));
+  EXPECT_EQ(count("#page-comparison table:last-of-type"), "2");
+}
+
+TEST_F(ReportPages, TheFigureOfThePaperHasItsFiveScenesInItsOrder) {
+  synthetic::RunConfig config;
+  config.groups = {"paper-between", "paper-left", "paper-right", "paper-near-goal", "paper-even"};
+  config.scenarios_per_group = 1;
+  auto run = synthetic::make_run(config);
+  for (RunRecord& record : run.records) {
+    record.scenario = record.scenario_group;
+    record.scenario_group = "paper";
+  }
+  open(write_page("figure9.html", report_input_of(run, "Figure 9")), "#figure9");
+  EXPECT_EQ(session_->evaluate("[...document.querySelectorAll('[data-figure9]')].map(f => "
+                               "f.dataset.figure9).join(' ')"),
+            "paper-between paper-left paper-right paper-near-goal paper-even");
+  EXPECT_EQ(count("#page-figure9 tbody tr"), "15");
+  session_->screenshot(pages_folder() / "page-figure9.png");
+}
+
+TEST_F(ReportPages, TheMappingPageIsThereWhereMicrobenchmarksAre) {
+  const auto run = synthetic::make_run();
+  ReportInput input = report_input_of(run, "With microbenchmarks");
+  open(write_page("no-mapping.html", input));
+  EXPECT_EQ(count("nav a[href=\"#mapping\"]"), "0");
+  input.mapping_json =
+      R"({"logs":[],"micro":{"context":{"num_cpus":2},"benchmarks":[)"
+      R"({"name":"mapping/forest/voronaut/rays:181","cpu_time":2500,"time_unit":"ns"},)"
+      R"({"name":"mapping/forest/octomap<b>/rays:181","cpu_time":10,"time_unit":"us"},)"
+      R"({"name":"mapping/growth/voronaut/known:100","cpu_time":2,"time_unit":"us"},)"
+      R"({"name":"mapping/growth/voronaut/known:1000","cpu_time":4,"time_unit":"us"}]}})";
+  open(write_page("mapping.html", input), "#mapping");
+  EXPECT_EQ(count("#page-mapping figure"), "2");
+  EXPECT_EQ(count("#page-mapping figcaption button"), "4");  // SVG and CSV of each
+  EXPECT_THAT(text("#page-mapping table"), HasSubstr("octomap<b>10.004.0 \u00d7"));
+  EXPECT_THAT(text("#growth .note"), HasSubstr("voronaut 0.30"));  // log10 of 2
+  EXPECT_EQ(session_->evaluate("document.querySelector('#growth .point').dataset.tip"),
+            "voronaut at 100 scans of other ground known before\n2.00 \u00b5s, median of n = 1");
+}
+
+TEST_F(ReportPages, APlotIsTakenAwayWithItsTitleAndLegend) {
+  const auto run = synthetic::make_run();
+  open(write_page("take-away.html", report_input_of(run, "Take away")), "#distributions");
+  session_->evaluate(
+      "(() => { URL.createObjectURL = b => { window.saved = b; return 'blob:none'; };"
+      " HTMLAnchorElement.prototype.click = () => {}; })()");
+  session_->evaluate("document.querySelector('#path-ratio button').click()");
+  const std::string svg = session_->evaluate("window.saved.text()");
+  for (const char* part :
+       {"How long are the paths?", "RRTConnect", "of n = ", "share of all trials"}) {
+    EXPECT_THAT(svg, HasSubstr(part));
+  }
+  EXPECT_EQ(session_->evaluate("window.saved.text().then(t => new DOMParser().parseFromString(t, "
+                               "'image/svg+xml').querySelector('parsererror') === null)"),
+            "true");
+}
+
+// Threads that want a core now, besides this one (proc(5), loadavg).
+int others_running() {
+  double load = 0;
+  int running = 1;
+  std::ifstream("/proc/loadavg") >> load >> load >> load >> running;
+  return running - 1;
+}
+
+// 10 000 trials, 200 replays.
+TEST_F(ReportPages, TenThousandTrialsAreSmallAndOpenFast) {
+  synthetic::RunConfig config;
+  config.planners = {"a", "b", "c", "d", "e"};
+  config.groups = {"easy", "hard"};
+  config.scenarios_per_group = 20;
+  config.repetitions = 50;
+  const auto run = synthetic::make_run(config);
+  ASSERT_EQ(run.records.size(), 10'000U);
+  ASSERT_EQ(run.traces.size(), 200U);
+  const auto file = write_page("large.html", report_input_of(run, "Large"));
+  const auto size_mb = static_cast<double>(std::filesystem::file_size(file)) / 1e6;
+  EXPECT_LE(size_mb, 15.0);
+  // Two seconds on an idle machine. Of three openings the best counts, for the browser itself warms
+  // up; and where others want the cores at that moment the limit is three times as much.
+  double drawn_s = 1e9;
+  double limit_s = 6;
+  for (int i = 0; i < 3; ++i) {
+    if (others_running() == 0) limit_s = 2;
+    open(file, "", {1280, 900});
+    drawn_s = std::min(
+        drawn_s, std::stod(session_->evaluate("document.documentElement.dataset.drawnMs")) / 1e3);
+  }
+  RecordProperty("size_mb", decimal(size_mb, 2));
+  RecordProperty("drawn_s", decimal(drawn_s, 2));
+  RecordProperty("limit_s", decimal(limit_s, 0));
+  EXPECT_LE(drawn_s, limit_s) << size_mb << " MB";
+  for (const char* page : {"distributions", "scenes", "failures", "provenance"}) {
+    go_to(page);
+  }
+  expect_quiet();
+}
+
+}  // namespace
+}  // namespace voronaut
