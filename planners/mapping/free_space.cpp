@@ -13,6 +13,13 @@ namespace {
 
 constexpr int kWordBits = 64;
 
+// std::floor() is a call without SSE4.1.
+int floor_of(double x) {
+  const int truncated = static_cast<int>(x);
+  return truncated - (x < truncated ? 1 : 0);
+}
+int ceil_of(double x) { return -floor_of(-x); }
+
 std::uint64_t bits_from(int column) { return ~0ULL << (column % kWordBits); }
 std::uint64_t bits_to(int column) {  // up to and including
   return ~0ULL >> (kWordBits - 1 - column % kWordBits);
@@ -36,6 +43,18 @@ std::uint64_t running_parity(std::uint64_t bits) {
   return bits;
 }
 
+// An edge with its lower end first; slope in columns per row.
+struct SlantedEdge {
+  Vec2 low, high;
+  double slope;
+
+  SlantedEdge(const Vec2& a, const Vec2& b)
+      : low(a.y() <= b.y() ? a : b), high(a.y() <= b.y() ? b : a) {
+    const double height = high.y() - low.y();
+    slope = height > 0 ? (high.x() - low.x()) / height : 0;
+  }
+};
+
 // Columns that shapes cover anywhere within a row, in cells.
 struct RowExtent {
   double from = std::numeric_limits<double>::infinity();
@@ -53,16 +72,11 @@ struct RowExtent {
     add(center.x() - half, center.x() + half);
   }
 
-  void add_segment(int row, const Segment& s) {
-    const bool rising = s.a.y() <= s.b.y();
-    const Vec2& low = rising ? s.a : s.b;
-    const Vec2& high = rising ? s.b : s.a;
-    if (high.y() < row || low.y() > row + 1) return;
-    const double height = high.y() - low.y();
-    const double slope = height > 0 ? (high.x() - low.x()) / height : 0;
-    const double x_low = low.x() + (std::max<double>(row, low.y()) - low.y()) * slope;
+  void add_edge(int row, const SlantedEdge& e) {
+    if (e.high.y() < row || e.low.y() > row + 1) return;
+    const double x_low = e.low.x() + (std::max<double>(row, e.low.y()) - e.low.y()) * e.slope;
     const double x_high =
-        height > 0 ? low.x() + (std::min<double>(row + 1, high.y()) - low.y()) * slope : high.x();
+        e.high.y() > row + 1 ? e.low.x() + (row + 1 - e.low.y()) * e.slope : e.high.x();
     add(std::min(x_low, x_high), std::max(x_low, x_high));
   }
 };
@@ -130,12 +144,9 @@ bool FreeSpace::open_window() {
     high = high.cwiseMax(p);
   }
   // Rows may be cut off by the bounds; columns are kept whole, or parity would be lost.
-  window_.first_row = std::max(0, static_cast<int>(std::floor(low.y())));
-  window_.rows =
-      std::min(rows_ - 1, static_cast<int>(std::floor(high.y()))) - window_.first_row + 1;
-  const auto word_of = [](double column) {
-    return static_cast<int>(std::floor(column / kWordBits));
-  };
+  window_.first_row = std::max(0, floor_of(low.y()));
+  window_.rows = std::min(rows_ - 1, floor_of(high.y())) - window_.first_row + 1;
+  const auto word_of = [](double column) { return floor_of(column / kWordBits); };
   window_.first_word = word_of(low.x());
   window_.words = word_of(high.x() + 1) - window_.first_word + 1;
   if (window_.rows <= 0) return false;
@@ -147,26 +158,24 @@ bool FreeSpace::open_window() {
 }
 
 void FreeSpace::draw_edge(Vec2 a, Vec2 b) {
+  if (a == b) return;  // its neighbours touch the same cell
   if (a.y() > b.y()) std::swap(a, b);
-  const int first = std::max(static_cast<int>(std::floor(a.y())), window_.first_row);
-  const int last =
-      std::min(static_cast<int>(std::floor(b.y())), window_.first_row + window_.rows - 1);
+  const int first = std::max(floor_of(a.y()), window_.first_row);
+  const int last = std::min(floor_of(b.y()), window_.first_row + window_.rows - 1);
   const double height = b.y() - a.y();
   const double slope = height > 0 ? (b.x() - a.x()) / height : 0;
   const int shift = window_.first_word * kWordBits;  // columns may be negative outside the bounds
+  const auto x_at = [&](double y) { return a.x() + (y - a.y()) * slope; };
+  double x_enters = x_at(std::max<double>(first, a.y()));
   for (int row = first; row <= last; ++row) {
-    const double y_low = std::max<double>(row, a.y());
-    const double y_high = std::min<double>(row + 1, b.y());
-    double x_low = height > 0 ? a.x() + (y_low - a.y()) * slope : a.x();
-    double x_high = height > 0 ? a.x() + (y_high - a.y()) * slope : b.x();
-    if (x_low > x_high) std::swap(x_low, x_high);
-    set_columns(window_.row(window_.touched, row), 0, static_cast<int>(std::floor(x_low)) - shift,
-                static_cast<int>(std::floor(x_high)) - shift);
+    const double x_leaves = row + 1 < b.y() ? x_at(row + 1) : (height > 0 ? x_at(b.y()) : b.x());
+    set_columns(window_.row(window_.touched, row), 0,
+                floor_of(std::min(x_enters, x_leaves)) - shift,
+                floor_of(std::max(x_enters, x_leaves)) - shift);
+    x_enters = x_leaves;
     const double middle = row + 0.5;
     if (a.y() <= middle && middle < b.y()) {
-      const double x = a.x() + (middle - a.y()) * slope;
-      const int column =
-          static_cast<int>(std::ceil(x - 0.5)) - shift;  // first centre not left of it
+      const int column = ceil_of(x_at(middle) - 0.5) - shift;  // first centre not left of it
       window_.row(window_.parity, row)[column / kWordBits] ^= 1ULL << (column % kWordBits);
     }
   }
@@ -193,13 +202,13 @@ void FreeSpace::commit_window() {
 void FreeSpace::mark_disc(const Vec2& p_world, double radius_m) {
   const Vec2 center = to_cells(p_world);
   const double radius = radius_m / cell_m_;
-  const int first = std::max(0, static_cast<int>(std::floor(center.y() - radius)));
-  const int last = std::min(rows_ - 1, static_cast<int>(std::floor(center.y() + radius)));
+  const int first = std::max(0, floor_of(center.y() - radius));
+  const int last = std::min(rows_ - 1, floor_of(center.y() + radius));
   for (int row = first; row <= last; ++row) {
     const double away = std::max({0.0, row - center.y(), center.y() - (row + 1)});
     const double half = std::sqrt(std::max(0.0, radius * radius - away * away));
-    const int from = std::max(0, static_cast<int>(std::floor(center.x() - half)));
-    const int to = std::min(columns_ - 1, static_cast<int>(std::floor(center.x() + half)));
+    const int from = std::max(0, floor_of(center.x() - half));
+    const int to = std::min(columns_ - 1, floor_of(center.x() + half));
     if (from <= to) {
       set_columns(free_.data() + static_cast<std::size_t>(row) * words_per_row_, 0, from, to);
     }
@@ -234,16 +243,18 @@ bool FreeSpace::swept_disc_is_free(const Vec2& a_world, const Vec2& b_world,
   const double length = along.norm();
   const Vec2 side = length > 0 ? Vec2(left_of(along) * (radius / length)) : Vec2(0, 0);
 
-  const int first = static_cast<int>(std::floor(std::min(a.y(), b.y()) - radius));
-  const int last = static_cast<int>(std::floor(std::max(a.y(), b.y()) + radius));
+  const SlantedEdge right(a - side, b - side), left(a + side, b + side);
+
+  const int first = floor_of(std::min(a.y(), b.y()) - radius);
+  const int last = floor_of(std::max(a.y(), b.y()) + radius);
   for (int row = first; row <= last; ++row) {
     // The swept disc is the convex hull of its two ends and its two sides; so is its extent in a
     // row.
     RowExtent extent;
     extent.add_disc(row, a, radius);
     extent.add_disc(row, b, radius);
-    extent.add_segment(row, {a - side, b - side});
-    extent.add_segment(row, {a + side, b + side});
+    extent.add_edge(row, right);
+    extent.add_edge(row, left);
     if (extent.from <= extent.to && !row_is_free(row, extent.from, extent.to)) return false;
   }
   return true;

@@ -17,10 +17,6 @@ constexpr double kStraight_m = 0.005;
 // What is too close already may stay as close as it is, up to rounding.
 constexpr double kRounding_m = 1e-6;
 
-double distance_from_line(const Vec2& p, const Vec2& a, const Vec2& b) {
-  return distance(p, Segment{a, b});
-}
-
 }  // namespace
 
 SafetyGovernor::SafetyGovernor(const VelocityResponse& response, double body_radius_m,
@@ -49,11 +45,15 @@ const GovernedCourse& SafetyGovernor::allow(const Vec2& v_wanted_world, const Ve
     while (unsafe - safe > 1) {
       const std::size_t middle = (safe + unsafe) / 2;
       const double share = kShares[middle - 1];
-      (is_safe(share, v_wanted_world, now, free, known, keep_m) ? safe : unsafe) = middle;
+      if (is_safe(share, v_wanted_world, now, free, known, keep_m)) {
+        safe = middle;
+        safe_pieces_.swap(pieces_);
+      } else {
+        unsafe = middle;
+      }
     }
     course_.share = safe == 0 ? 0 : kShares[safe - 1];
-    // Once more, for its track.
-    if (safe > 0) is_safe(course_.share, v_wanted_world, now, free, known, keep_m);
+    pieces_.swap(safe_pieces_);
   }
   course_.v_world = Vec2(0, 0);
   if (course_.share > 0) course_.v_world = course_at(course_.share, v_wanted_world, now);
@@ -97,16 +97,28 @@ bool SafetyGovernor::departs(const Vec2& course_m_s, const PlanarMotion& now, co
   return leads_away(course_m_s, pieces_, unknown_cells_);
 }
 
+// Sleeve fitting: a piece goes on as long as its end is seen from its start between both sides of
+// every sample passed, each kStraight_m beside it, and lies farther than all of them.
 void SafetyGovernor::straighten_track() {
   pieces_.assign(1, track_.front());
-  std::size_t from = 0;
-  for (std::size_t to = 2; to < track_.size(); ++to) {
-    for (std::size_t i = from + 1; i < to; ++i) {
-      if (distance_from_line(track_[i], track_[from], track_[to]) <= kStraight_m) continue;
-      from = to - 1;
-      pieces_.push_back(track_[from]);
-      break;
+  Vec2 right(0, 0), left(0, 0);  // the sleeve, as seen from the start of the piece; zero: open
+  double farthest_sq = 0;
+  for (std::size_t i = 1; i < track_.size(); ++i) {
+    const Vec2 to = track_[i] - pieces_.back();
+    const double reach_sq = to.squaredNorm();
+    const bool in_sleeve = reach_sq >= farthest_sq && cross(right, to) >= 0 && cross(to, left) >= 0;
+    if (!in_sleeve) {
+      pieces_.push_back(track_[i - 1]);
+      right = left = Vec2(0, 0);
+      farthest_sq = 0;
+      --i;
+      continue;
     }
+    if (reach_sq <= kStraight_m * kStraight_m) continue;
+    farthest_sq = reach_sq;
+    const Vec2 side = left_of(to) * (kStraight_m / std::sqrt(reach_sq));
+    if (right == Vec2(0, 0) || cross(right, to - side) > 0) right = to - side;
+    if (left == Vec2(0, 0) || cross(to + side, left) > 0) left = to + side;
   }
   pieces_.push_back(track_.back());
 }

@@ -78,8 +78,9 @@ class SafetyGovernor {
   double hold_s_;
   Vec2 v_before_ = Vec2::Zero();
   GovernedCourse course_;
-  std::vector<Vec2> track_;   // as predicted
-  std::vector<Vec2> pieces_;  // its corners
+  std::vector<Vec2> track_;        // as predicted
+  std::vector<Vec2> pieces_;       // its corners
+  std::vector<Vec2> safe_pieces_;  // of the largest share found safe
   std::vector<Vec2> unknown_cells_;
 };
 

@@ -148,5 +148,32 @@ TEST(FreeSpace, SweptDiscIsFreeExactlyIfEveryCellItTouchesIs) {
   EXPECT_GT(free_count, 10);
 }
 
+TEST(FreeSpace, NamesEveryUnknownCellThatATubeTouches) {
+  Random random(5);
+  std::vector<Vec2> unknown;
+  int refused = 0;
+  for (int round = 0; round < 400; ++round) {
+    FreeSpace space(kBounds);
+    space.mark_disc(Vec2(0, 0), random.uniform(0.5, 1.5));
+    std::vector<Vec2> corners;
+    for (int i = 0; i < 3; ++i)
+      corners.emplace_back(random.uniform(-0.6, 0.6), random.uniform(-0.6, 0.6));
+    const double radius_m = random.uniform(0.05, 0.4);
+    space.unknown_cells_in_tube(corners, radius_m, unknown);
+    const bool free = space.swept_disc_is_free(corners[0], corners[1], radius_m) &&
+                      space.swept_disc_is_free(corners[1], corners[2], radius_m);
+    EXPECT_TRUE(free || !unknown.empty());
+    refused += free ? 0 : 1;
+    for (const Vec2& middle : unknown) {
+      EXPECT_FALSE(space.is_free(middle));
+      const double distance_m = std::min(distance(middle, Segment{corners[0], corners[1]}),
+                                         distance(middle, Segment{corners[1], corners[2]}));
+      EXPECT_LE(distance_m, radius_m + space.cell_radius_m());
+    }
+  }
+  EXPECT_GT(refused, 50);
+  EXPECT_LT(refused, 350);
+}
+
 }  // namespace
 }  // namespace voronaut
