@@ -20,7 +20,7 @@ inline constexpr double kDepartureDrift_m = 0.003;
 
 // Whether the course [m/s] leads away from every place and so does the track [m, world] predicted
 // for it, whose first corner is the body's centre now: no disc around a place comes closer to it,
-// up to the drift. The flight comes at most 1.5 cm closer to any of them, see
+// up to the drift. The flight comes at most 1 cm closer to any of them, see
 // tests/planners/navigation/departure_test.cpp. O(places x corners).
 bool leads_away(const Vec2& course_m_s, std::span<const Vec2> track, std::span<const Vec2> places);
 

@@ -1,0 +1,76 @@
+#pragma once
+
+#include <cmath>
+#include <memory>
+#include <random>
+#include <utility>
+
+#include "voronaut/dynamics/catalog.h"
+#include "voronaut/dynamics/velocity_response.h"
+#include "voronaut/tests/dynamics/closed_loop.h"
+
+namespace voronaut::testing {
+
+// A vehicle that flies one commanded course after the other at 1 m of height, turning as it likes.
+class CourseFlight {
+ public:
+  CourseFlight(VehicleSpec spec, const RegulatorConfig& config, unsigned seed)
+      : spec_(std::move(spec)),
+        config_(config),
+        model_(make_model(spec_.model)),
+        response_(velocity_response(config, spec_)),
+        random_(seed) {}
+
+  // Begins anew, at rest.
+  void begin() {
+    regulator_ = make_regulator(config_, spec_);
+    state_ = model_->at_rest({0, 0, 1}, {1, 0});
+    regulator_->reset(state_);
+    pending_ = model_->hold();
+  }
+  void step(const Eigen::Vector2d& course_m_s, double yaw_rate_rad_s) {
+    Setpoint setpoint;
+    setpoint.p_target_world = {0, 0, 1};
+    setpoint.course_m_s = course_m_s;
+    setpoint.yaw_rate_rad_s = yaw_rate_rad_s;
+    const Command next = regulator_->regulate(setpoint, state_);
+    state_ = model_->step(state_, pending_, kPeriod_s);
+    pending_ = next;
+  }
+  void fly(const Eigen::Vector2d& course_m_s, double duration_s) {
+    const double yaw_rate_rad_s = uniform(-2, 2);
+    const long steps = std::lround(duration_s / kPeriod_s);
+    for (long i = 0; i < steps; ++i) step(course_m_s, yaw_rate_rad_s);
+  }
+
+  double uniform(double low, double high) {
+    return std::uniform_real_distribution<double>(low, high)(random_);
+  }
+  Eigen::Vector2d direction() {
+    const double angle = uniform(-3.2, 3.2);
+    return {std::cos(angle), std::sin(angle)};
+  }
+
+  const VehicleSpec& spec() const { return spec_; }
+  const VehicleState& state() const { return state_; }
+  const VelocityResponse& response() const { return response_; }
+  PlanarMotion motion() const { return response_.motion_of(state_); }
+
+ private:
+  VehicleSpec spec_;
+  RegulatorConfig config_;
+  std::unique_ptr<Model> model_;
+  VelocityResponse response_;
+  std::mt19937 random_;
+  std::unique_ptr<Regulator> regulator_;
+  VehicleState state_;
+  Command pending_;
+};
+
+inline VehicleSpec quadrotor_with_printed_inertia() {
+  VehicleSpec spec = vehicle("quadrotor");
+  std::get<QuadrotorConfig>(spec.model).inertia = QuadrotorConfig::InertiaSet::printed;
+  return spec;
+}
+
+}  // namespace voronaut::testing
