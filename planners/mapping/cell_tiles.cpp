@@ -10,10 +10,7 @@ constexpr int kFirstSlotsLog2 = 6;
 }  // namespace
 
 CellTiles::CellTiles(double cell_m)
-    : cell_m_(cell_m),
-      cells_per_m_(1 / cell_m),
-      shift_(64 - kFirstSlotsLog2),
-      slots_(std::size_t{1} << kFirstSlotsLog2) {}
+    : grid_(cell_m), shift_(64 - kFirstSlotsLog2), slots_(std::size_t{1} << kFirstSlotsLog2) {}
 
 void CellTiles::insert(const Slot& slot) {
   const std::size_t place = static_cast<std::size_t>(

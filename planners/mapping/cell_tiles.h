@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "voronaut/environments/shapes/geometry.h"
+#include "voronaut/planners/mapping/square_grid.h"
 
 namespace voronaut {
 
@@ -32,13 +32,6 @@ inline constexpr Masks kColumnsUpTo =
 
 }  // namespace tile_masks
 
-// A square cell of the plane. The coordinates are biased, so that they never are negative.
-struct Cell {
-  std::uint32_t x = 0;
-  std::uint32_t y = 0;
-  bool operator==(const Cell&) const = default;
-};
-
 // An unbounded grid that stores one number per occupied cell (the first item of a chain that the
 // owner keeps) in tiles of 8 x 8 cells with a bit per cell: asking a box costs one hash look-up per
 // tile it overlaps, empty cells nothing. Memory: 256 bytes per 8 x 8 cells that ever
@@ -46,17 +39,11 @@ struct Cell {
 class CellTiles {
  public:
   static constexpr std::uint32_t kEmpty = 0xffff'ffff;
-  static constexpr double kLargestCellIndex = 1 << 29;
-  // A cell may be wider than cell_m by this share, by rounding at the largest index.
-  static constexpr double kWidthMargin = 1 + 1e-6;
 
   explicit CellTiles(double cell_m);
 
-  double cell_m() const { return cell_m_; }
-
-  // Cell i lies around i * cell_m. Monotone in both coordinates, which is all that boxes need, for
-  // |x|, |y| < kLargestCellIndex cells; any cell for other numbers and NaN.
-  Cell cell_of(double x, double y) const { return {index_of(x), index_of(y)}; }
+  double cell_m() const { return grid_.cell_m(); }
+  Cell cell_of(double x, double y) const { return grid_.cell_of(x, y); }
 
   // Makes `item` the number of its cell and returns the one it replaces, kEmpty if there was none.
   std::uint32_t replace_head(Cell cell, std::uint32_t item);
@@ -88,21 +75,6 @@ class CellTiles {
     return false;
   }
 
-  std::size_t tiles() const { return tiles_; }
-
-  // Calls visit(cell) for every occupied cell. O(tiles).
-  template <class Visit>
-  void for_each_occupied(const Visit& visit) const {
-    for (const Slot& slot : slots_) {
-      const auto tile_x = static_cast<std::uint32_t>(slot.key >> 32);
-      const auto tile_y = static_cast<std::uint32_t>(slot.key);
-      for (std::uint64_t cells = slot.occupied; cells != 0; cells &= cells - 1) {
-        const auto bit = static_cast<std::uint32_t>(std::countr_zero(cells));
-        visit(Cell{8 * tile_x + bit % 8, 8 * tile_y + bit / 8});
-      }
-    }
-  }
-
  private:
   static constexpr std::uint64_t kNoKey = ~std::uint64_t{0};  // no tile has this one
   struct alignas(32) Slot {
@@ -114,13 +86,6 @@ class CellTiles {
   static std::uint32_t bit_of(Cell cell) { return 8 * (cell.y & 7) + (cell.x & 7); }
   static std::uint64_t key_of(std::uint32_t x, std::uint32_t y) {
     return std::uint64_t{x} << 32 | y;
-  }
-  // Next to 2^52 a double is an integer, and its low bits are that integer's: one addition rounds,
-  // biases by 2^31 and converts.
-  std::uint32_t index_of(double coordinate_m) const {
-    constexpr double kBias = 0x1p52 + 0x1p31;
-    return static_cast<std::uint32_t>(
-        std::bit_cast<std::uint64_t>(coordinate_m * cells_per_m_ + kBias));
   }
   std::size_t first_slot(std::uint64_t key) const {
     return static_cast<std::size_t>((key * 0x9e37'79b9'7f4a'7c15) >> shift_);
@@ -144,8 +109,7 @@ class CellTiles {
   void make_heads(Slot& slot);
   void insert(const Slot& slot);
 
-  double cell_m_;
-  double cells_per_m_;
+  SquareGrid grid_;
   int shift_;
   std::size_t tiles_ = 0;
   std::vector<Slot> slots_;  // a power of two, at most half full; open addressing

@@ -62,6 +62,10 @@ bool ObstacleSnapshot::swept_disc_is_clear(const Vec2& a, const Vec2& b, double 
   return base_ == nullptr || base_->points_.is_clear(a, b, radius_m);
 }
 
+void ObstacleSnapshot::expect_checks(double radius_m) const {
+  if (base_ != nullptr) base_->points_.expect_checks(radius_m);
+}
+
 double ObstacleSnapshot::segment_clearance_m(const Vec2& a, const Vec2& b, double within_m) const {
   if (base_ == nullptr) return within_m;
   const double clearance_sq = base_->points_.distance_sq(a, b, within_m);

@@ -45,6 +45,10 @@ class ObstacleSnapshot {
   // exact).
   bool disc_is_clear(const Vec2& p, double radius_m) const;
   bool swept_disc_is_clear(const Vec2& a, const Vec2& b, double radius_m) const;
+  // Makes these two fast for this radius until the next update, for whoever is about to ask often:
+  // some hundred instructions per point that became known since the last call (per point known, if
+  // the radius is another). Not while another thread asks.
+  void expect_checks(double radius_m) const;
   // Smallest distance from the segment a-b to a member point, capped at within_m.
   double segment_clearance_m(const Vec2& a, const Vec2& b, double within_m) const;
 

@@ -18,8 +18,10 @@ constexpr double kSpacingsPerCell = 2;
 // Boxes are grown by this share more than asked, so that rounding cannot lose a point on the rim.
 constexpr double kRoundingMargin = 1 + 1e-6;
 
-// Of the filter: as many as keep it from being marked where nothing is.
-constexpr std::size_t kWordsPerTile = 5;
+// The clearance field is walked through in steps not shorter than this; what is closer to points is
+// left to them. Longer motions than the longest are left to the points at once.
+constexpr double kShortestStepM = 0.1;
+constexpr double kLongestWalkM = 1000;
 
 // Where the start of the first search for the nearest point reaches.
 constexpr double kFirstReachCells = 1;
@@ -59,7 +61,6 @@ class SegmentDistance {
 
 PointIndex::PointIndex(double spacing_m)
     : cells_(std::max(kSmallestCellM, kSpacingsPerCell * spacing_m)),
-      marked_reach_m_(NearFilter::kNearCells * cells_.cell_m() / CellTiles::kWidthMargin),
       bounds_{Vec2::Constant(std::numeric_limits<double>::infinity()),
               Vec2::Constant(-std::numeric_limits<double>::infinity())} {}
 
@@ -68,28 +69,19 @@ PointId PointIndex::add(const Vec2& p) {
           "PointIndex::add: coordinates are not numbers within 1e7 m");
   const auto id = static_cast<PointId>(points_.size());
   const Cell cell = cells_.cell_of(p.x(), p.y());
-  const PointId next = cells_.replace_head(cell, id);
-  if (next == kNone) mark_occupied(cell);
   points_.push_back(p);
-  next_in_cell_.push_back(next);
+  expected_m_ = kNotExpected;
+  next_in_cell_.push_back(cells_.replace_head(cell, id));
   grow_to_hold(bounds_, p);
   return id;
 }
 
-void PointIndex::mark_occupied(Cell cell) {
-  if (near_.words() >= kWordsPerTile * cells_.tiles()) {
-    near_.mark_around(cell);
-  } else {
-    near_.start_over_larger();
-    cells_.for_each_occupied([&](Cell occupied) { near_.mark_around(occupied); });
-  }
-}
-
-PointIndex::Reach PointIndex::close_reach(const Vec2& a, const Vec2& b, double distance_m) const {
-  const double margin_m = distance_m * kRoundingMargin;
-  return {cells_.cell_of(std::min(a.x(), b.x()) - margin_m, std::min(a.y(), b.y()) - margin_m),
-          cells_.cell_of(std::max(a.x(), b.x()) + margin_m, std::max(a.y(), b.y()) + margin_m),
-          false};
+void PointIndex::expect_checks(double distance_m) const {
+  require(distance_m >= 0, "PointIndex::expect_checks: the distance is negative");
+  if (distance_m > ClearanceField::kLargestRadiusM) return;
+  if (field_.radius_m() != distance_m) field_ = ClearanceField(distance_m);
+  for (std::size_t id = field_.points(); id < points_.size(); ++id) field_.add(points_[id]);
+  expected_m_ = distance_m;
 }
 
 PointIndex::Reach PointIndex::reach(const Vec2& a, const Vec2& b, double distance_m) const {
@@ -147,19 +139,61 @@ PointId PointIndex::nearest(const Vec2& p, double within_m) const {
   return nearest_in(reach(p, p, within_m), p, limit_sq);
 }
 
-bool PointIndex::is_clear_in_reach(const Vec2& p, double distance_m) const {
+bool PointIndex::is_clear_of_points(const Vec2& p, double distance_m) const {
   const double distance_sq = distance_m * distance_m;
-  const Reach within =
-      distance_m <= marked_reach_m_ ? close_reach(p, p, distance_m) : reach(p, p, distance_m);
-  return !any_point(
-      within, [&](PointId id) { return voronaut::distance_sq(points_[id], p) < distance_sq; });
+  return !any_point(reach(p, p, distance_m), [&](PointId id) {
+    return voronaut::distance_sq(points_[id], p) < distance_sq;
+  });
 }
 
+// What is asked of a motion.
+struct PointIndex::Sweep {
+  Sweep(const Vec2& from, const Vec2& to, double clearance_m)
+      : to_segment(from, to), a(from), along(to - from), distance_m(clearance_m) {}
+  SegmentDistance to_segment;
+  Vec2 a;
+  Vec2 along;
+  double distance_m;
+};
+
+bool PointIndex::is_clear_of_points(const Sweep& sweep, const Vec2& from, const Vec2& to) const {
+  const double distance_sq = sweep.distance_m * sweep.distance_m;
+  return !any_point(reach(from, to, sweep.distance_m), [&](PointId id) {
+    return sweep.to_segment.closer_than(points_[id], distance_sq);
+  });
+}
+
+// A disc as large as the bound at its centre is clear, and with it the swept disc up to where that
+// one ends. Around the middle first: mostly that is all.
 bool PointIndex::is_clear(const Vec2& a, const Vec2& b, double distance_m) const {
-  const SegmentDistance to_segment(a, b);
-  const double distance_sq = distance_m * distance_m;
-  return !any_point(reach(a, b, distance_m),
-                    [&](PointId id) { return to_segment.closer_than(points_[id], distance_sq); });
+  const Vec2 along = b - a;
+  const double length_sq = along.squaredNorm();
+  if (!(expected_m_ >= 0) || !(length_sq < kLongestWalkM * kLongestWalkM)) {
+    return is_clear_of_points(Sweep(a, b, distance_m), a, b);
+  }
+  const double around_m = field_.bound_m(a + 0.5 * along) - distance_m;
+  if (around_m > 0 && 4 * around_m * around_m >= length_sq) return true;
+  return is_clear_but_around_middle(Sweep(a, b, distance_m), std::max(0.0, around_m));
+}
+
+bool PointIndex::is_clear_but_around_middle(const Sweep& sweep, double around_m) const {
+  const double share_per_m = 1 / std::sqrt(sweep.along.squaredNorm());
+  if (!std::isfinite(share_per_m)) return is_clear_of_points(sweep, sweep.a, sweep.a);
+  const double around = around_m * share_per_m;
+  return is_clear_between(sweep, 0, 0.5 - around, share_per_m) &&
+         is_clear_between(sweep, 0.5 + around, 1, share_per_m);
+}
+
+// What the bounds cannot tell is left to the points.
+bool PointIndex::is_clear_between(const Sweep& sweep, double from, double to,
+                                  double share_per_m) const {
+  while (from < to) {
+    const Vec2 p = sweep.a + from * sweep.along;
+    const double step_m = field_.bound_m(p) - sweep.distance_m;
+    if (step_m < kShortestStepM) return is_clear_of_points(sweep, p, sweep.a + to * sweep.along);
+    from += step_m * share_per_m;
+  }
+  return true;
 }
 
 double PointIndex::distance_sq(const Vec2& a, const Vec2& b, double within_m) const {

@@ -3,11 +3,12 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <span>
 #include <vector>
 
 #include "voronaut/planners/mapping/cell_tiles.h"
-#include "voronaut/planners/mapping/near_filter.h"
+#include "voronaut/planners/mapping/clearance_field.h"
 #include "voronaut/planners/mapping/scan_cluster.h"
 
 namespace voronaut {
@@ -37,18 +38,27 @@ class PointIndex {
   PointId nearest(const Vec2& p, double within_m) const;
 
   // True if no point is closer than distance_m to p, or to the segment a-b: what a disc there, or
-  // swept along it, would touch. Most of the plane is told by one bit.
+  // swept along it, would touch.
   bool is_clear(const Vec2& p, double distance_m) const {
-    if (distance_m <= marked_reach_m_ && !near_.may_be_near(cells_.cell_of(p.x(), p.y()))) {
-      return true;
+    if (distance_m == expected_m_) {
+      const auto disc = field_.disc_at(p);
+      if (disc != ClearanceField::Disc::undecided) return disc == ClearanceField::Disc::clear;
     }
-    return is_clear_in_reach(p, distance_m);
+    return is_clear_of_points(p, distance_m);
   }
   bool is_clear(const Vec2& a, const Vec2& b, double distance_m) const;
+  // Makes the two fast for this distance, until the next point is added, by a look at the
+  // surroundings of the points added since the last call (of all, if the distance is another). For
+  // whoever is about to ask often; the answers are the same without. Not while another thread asks.
+  // Does nothing for distances above ClearanceField::kLargestRadiusM.
+  void expect_checks(double distance_m) const;
+
   // Square of the smallest distance from the segment a-b to a point, at most within_m squared.
   double distance_sq(const Vec2& a, const Vec2& b, double within_m) const;
 
  private:
+  static constexpr double kNotExpected = std::numeric_limits<double>::quiet_NaN();
+  struct Sweep;
   struct Reach {
     Cell low;
     Cell high;
@@ -56,11 +66,10 @@ class PointIndex {
   };
   // The cells of the box around a-b grown by distance_m, as far as there are points at all.
   Reach reach(const Vec2& a, const Vec2& b, double distance_m) const;
-  // The same for distances up to marked_reach_m_, not cut to where there are points.
-  Reach close_reach(const Vec2& a, const Vec2& b, double distance_m) const;
-
-  void mark_occupied(Cell cell);
-  bool is_clear_in_reach(const Vec2& p, double distance_m) const;
+  bool is_clear_of_points(const Vec2& p, double distance_m) const;
+  bool is_clear_of_points(const Sweep& sweep, const Vec2& from, const Vec2& to) const;
+  bool is_clear_but_around_middle(const Sweep& sweep, double around_m) const;
+  bool is_clear_between(const Sweep& sweep, double from, double to, double share_per_m) const;
   bool reaches_all_points(const Vec2& p, double distance_m) const;
   PointId nearest_in(const Reach& within, const Vec2& p, double limit_sq) const;
 
@@ -68,12 +77,12 @@ class PointIndex {
   bool any_point(const Reach& within, const Visit& visit) const;
 
   CellTiles cells_;
-  NearFilter near_;
-  // Up to this distance a place whose cell is not near has no point.
-  double marked_reach_m_;
   Bounds bounds_;  // of all points
   std::vector<Vec2> points_;
   std::vector<PointId> next_in_cell_;
+  // They save time and change no answer.
+  mutable ClearanceField field_{0};
+  mutable double expected_m_ = kNotExpected;  // the field's radius while it knows all points
 };
 
 }  // namespace voronaut

@@ -27,6 +27,7 @@ void BeliefValidityChecker::look_at(const Belief& belief, const Vec2& start_worl
 void BeliefValidityChecker::look_at(const ObstacleSnapshot& obstacles, const Vec2& start_world) {
   belief_ = nullptr;
   obstacles_ = obstacles;
+  obstacles_.expect_checks(clearance_min_m_);
   relaxation_ = StartRelaxation(clearance_min_m_);
   if (const auto closest = obstacles_.nearest(start_world, clearance_min_m_)) {
     const double start_clearance_m = (obstacles_.points()[*closest] - start_world).norm();

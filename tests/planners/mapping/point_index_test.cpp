@@ -78,6 +78,34 @@ TEST(PointIndex, FindsWhatASearchThroughAllPointsFinds) {
   EXPECT_GT(hit, 8'000);
 }
 
+// With the field: for the expected distance, for others, and after points that it does not know.
+TEST(PointIndex, AnswersTheSameWhenChecksWereExpected) {
+  int clear = 0;
+  int touching = 0;
+  for (std::uint64_t seed = 1; seed <= 300; ++seed) {
+    Random random(seed);
+    const double side_m = random.uniform(1, 30);
+    const double expected_m = seed % 10 == 0 ? 0 : random.uniform(0.05, 1.6);
+    PointIndex index = random_points(random, side_m, random.uniform(0.03, 0.5));
+    for (int query = 0; query < 200; ++query) {
+      SCOPED_TRACE("seed " + std::to_string(seed) + " query " + std::to_string(query));
+      if (query % 20 == 0) index.expect_checks(query == 100 ? 0.7 * expected_m : expected_m);
+      if (query % 20 == 15) index.add(random_place(random, side_m));
+      const Vec2 a = random_place(random, 1.5 * side_m);
+      const Vec2 b = query % 5 == 0 ? a : a + random_place(random, query % 3 == 0 ? 20 : 4);
+      const double reach_m = query % 4 == 0 ? random.uniform(0, 1.8) : expected_m;
+      const double distance_m = distance_of_all(index, {a, b}, 2);
+      const bool place_is_clear = !(distance_of_all(index, {a, a}, 2) < reach_m);
+      ASSERT_EQ(index.is_clear(a, reach_m), place_is_clear);
+      ASSERT_EQ(index.is_clear(a, b, reach_m), !(distance_m < reach_m));
+      clear += place_is_clear;
+      touching += distance_m < reach_m;
+    }
+  }
+  EXPECT_GT(clear, 20'000);
+  EXPECT_GT(touching, 15'000);
+}
+
 TEST(PointIndex, ReachesToInfinity) {
   Random random(3);
   const PointIndex index = random_points(random, 10, 0.1);
@@ -92,6 +120,7 @@ TEST(PointIndex, ReachesToInfinity) {
 TEST(PointIndex, DoesNotCountAPointAtExactlyTheDistance) {
   PointIndex index(0.1);
   index.add({1, 2});
+  index.expect_checks(0.5);
   EXPECT_TRUE(index.is_clear({1, 2.5}, 0.5));
   EXPECT_FALSE(index.is_clear({1, 2.5}, std::nextafter(0.5, 1)));
   EXPECT_EQ(index.nearest_closer_than({1, 2.5}, 0.5), PointIndex::kNone);
