@@ -42,9 +42,8 @@ ObstacleBase::ObstacleBase(const ObstacleBaseConfig& config)
 
 const UpdateReport& ObstacleBase::update(const Scan& scan) {
   const auto first_new = static_cast<PointId>(points_.size());
-  returns_.read(scan);
+  read_and_represent(scan);
   clusterer_.cluster(returns_);
-  represent_returns();
   join_scan_clusters(first_new);
 
   const std::size_t bridges = clusters_.merge_components(bridged_);
@@ -65,34 +64,33 @@ const UpdateReport& ObstacleBase::update(const Scan& scan) {
 
 // Stage 2. Neighbouring returns mostly have the same representative, and the next one is mostly the
 // one that followed it before: look-ups are left for new ground, jumps in range and other views.
-void ObstacleBase::represent_returns() {
-  const double thinning_m = config_.thinning_distance_m;
-  const double thinning_sq = thinning_m * thinning_m;
-  const std::span<const Vec2> returns = returns_.points_world();
-  if (returns.size() > representatives_.size()) representatives_.resize(returns.size());
+void ObstacleBase::read_and_represent(const Scan& scan) {
+  const double thinning_sq = config_.thinning_distance_m * config_.thinning_distance_m;
+  if (scan.size() > representatives_.size()) representatives_.resize(scan.size());
   Representative* change = representatives_.data();
-  Vec2 current = Vec2::Constant(std::numeric_limits<double>::infinity());
+  PackedPoint current = packed(Vec2::Constant(std::numeric_limits<double>::infinity()));
   std::size_t follower = 0;
-  const Vec2* const begin = returns.data();
-  for (const Vec2* next = begin; next != begin + returns.size(); ++next) {
-    const Vec2& p = *next;
-    if (distance_sq(p, current) < thinning_sq) continue;
-    PointId point = followed_by_[follower];
-    bool unknown = false;
-    if (point == PointIndex::kNone || !(distance_sq(p, points_[point]) < thinning_sq)) {
-      point = points_.nearest_closer_than(p, thinning_m);
-      unknown = point == PointIndex::kNone;
-      if (unknown) {
-        point = points_.add(p);
-        followed_by_.push_back(PointIndex::kNone);
-      }
-      followed_by_[follower] = point;
+  returns_.read(scan, [&, this](std::size_t i, PackedPoint p) {
+    if (distance_sq(p, current) < thinning_sq) return;
+    Representative next{static_cast<std::uint32_t>(i), followed_by_[follower], false};
+    if (next.point == PointIndex::kNone ||
+        !(distance_sq(p, packed(points_[next.point])) < thinning_sq)) {
+      find_or_store(Vec2{p[0], p[1]}, next);
+      followed_by_[follower] = next.point;
     }
-    current = points_[point];
-    follower = std::size_t{point} + 1;
-    *change++ = {static_cast<std::uint32_t>(next - begin), point, unknown};
-  }
+    current = packed(points_[next.point]);
+    follower = std::size_t{next.point} + 1;
+    *change++ = next;
+  });
   representative_count_ = static_cast<std::size_t>(change - representatives_.data());
+}
+
+void ObstacleBase::find_or_store(const Vec2& p, Representative& representative) {
+  representative.point = points_.nearest_closer_than(p, config_.thinning_distance_m);
+  if (representative.point != PointIndex::kNone) return;
+  representative.point = points_.add(p);
+  representative.stored_now = true;
+  followed_by_.push_back(PointIndex::kNone);
 }
 
 // Stage 3: which clusters of the scan have stored points in common with known clusters, or with

@@ -8,6 +8,7 @@
 #include "voronaut/environments/sensing/scan.h"
 #include "voronaut/planners/mapping/cluster_base.h"
 #include "voronaut/planners/mapping/obstacle_snapshot.h"
+#include "voronaut/planners/mapping/packed_point.h"
 #include "voronaut/planners/mapping/point_index.h"
 #include "voronaut/planners/mapping/scan_cluster.h"
 #include "voronaut/planners/mapping/scan_clusterer.h"
@@ -90,7 +91,8 @@ class ObstacleBase {
   };
 
   std::uint64_t version() const { return points_at_version_.size() - 1; }
-  void represent_returns();
+  void read_and_represent(const Scan& scan);
+  [[gnu::noinline]] void find_or_store(const Vec2& p, Representative& representative);
   void join_scan_clusters(PointId first_new);
   void join(std::uint32_t scan_cluster, const Representative& representative, PointId first_new);
   void append_new_points();

@@ -34,25 +34,21 @@ void ScanClusterer::split_into_runs(const ScanReturns& returns) {
   const double link_sq = link_distance_m_ * link_distance_m_;
   const auto count = static_cast<std::uint32_t>(listed.size());
   runs_.clear();
-  if (count > listed_world_.size()) {
-    listed_world_.resize(count);
-    gathered_world_.resize(count);
-  }
-  for (std::uint32_t k = 0; k < count; ++k) {
+  listed_world_ = returns.listed_world();
+  if (count > gathered_world_.size()) gathered_world_.resize(count);
+  if (count == 0) return;
+  Run* run = &runs_.emplace_back();
+  for (std::uint32_t k = 1; k < count; ++k) {
     const std::uint32_t i = listed[k];
-    listed_world_[k] = points[i];
-    if (k > 0 && distance_sq(points[i], points[i - 1]) < link_sq) continue;
-    if (k > 0) {
-      runs_.back().end = i;
-      runs_.back().listed_end = k;
-    }
-    Run& run = runs_.emplace_back();
-    run.begin = i;
-    run.listed_begin = k;
+    if (distance_sq(points[i], points[i - 1]) < link_sq) continue;
+    run->end = i;
+    run->listed_end = k;
+    run = &runs_.emplace_back();
+    run->begin = i;
+    run->listed_begin = k;
   }
-  if (runs_.empty()) return;
-  runs_.back().end = static_cast<std::uint32_t>(points.size());
-  runs_.back().listed_end = count;
+  run->end = static_cast<std::uint32_t>(points.size());
+  run->listed_end = count;
 }
 
 // Listed returns decide mostly. Each stands for the returns up to the next listed one, all closer

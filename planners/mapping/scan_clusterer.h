@@ -45,7 +45,7 @@ class ScanClusterer {
  private:
   void split_into_runs(const ScanReturns& returns);
   std::span<const Vec2> listed_world(const Run& run) const {
-    return {listed_world_.data() + run.listed_begin, run.listed_end - run.listed_begin};
+    return listed_world_.subspan(run.listed_begin, run.listed_end - run.listed_begin);
   }
   void link_runs(const ScanReturns& returns);
   bool runs_linked(const Run& a, const Run& b, const ScanReturns& returns) const;
@@ -59,7 +59,7 @@ class ScanClusterer {
   double link_distance_m_;
   double listing_distance_m_;
   std::vector<Run> runs_;
-  std::vector<Vec2> listed_world_;
+  std::span<const Vec2> listed_world_;
   std::vector<Vec2> gathered_world_;  // of clusters that are not one run
   std::vector<ScanCluster> clusters_;
   std::vector<std::uint32_t> first_return_;

@@ -1,11 +1,14 @@
 #pragma once
 
+#include <bit>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <span>
 #include <vector>
 
 #include "voronaut/environments/sensing/scan.h"
+#include "voronaut/planners/mapping/packed_point.h"
 
 namespace voronaut {
 
@@ -16,14 +19,17 @@ class ScanReturns {
  public:
   explicit ScanReturns(double thinning_distance_m) : thinning_distance_m_(thinning_distance_m) {}
 
-  // O(beams). The scan's ranges and beams must be equally many.
-  void read(const Scan& scan);
+  // O(beams). The scan's ranges and beams must be equally many. Calls visit(i, p_world) for each
+  // return i as it is read.
+  template <class Visit>
+  void read(const Scan& scan, Visit visit);
 
   std::size_t size() const { return count_; }
   std::span<const Vec2> points_world() const { return {point_world_.data(), count_}; }
   std::span<const std::uint32_t> beams() const { return {beam_.data(), count_}; }
   // The returns that are not closer than the thinning distance to the one listed before them.
   std::span<const std::uint32_t> listed() const { return {listed_.data(), listed_count_}; }
+  std::span<const Vec2> listed_world() const { return {listed_world_.data(), listed_count_}; }
 
   std::size_t beams_in_scan() const { return beams_in_scan_; }
   std::size_t invalid() const { return invalid_; }  // NaN, infinite, zero, negative, beyond range
@@ -33,12 +39,15 @@ class ScanReturns {
   std::uint32_t last_measured() const { return last_measured_; }
 
  private:
+  static std::uint64_t bits(double value) { return std::bit_cast<std::uint64_t>(value); }
+  void begin(const Scan& scan);
   void set_edges(const Scan& scan);
 
   double thinning_distance_m_;
   std::vector<Vec2> point_world_;  // the first count_ of each hold this scan
   std::vector<std::uint32_t> beam_;
   std::vector<std::uint32_t> listed_;
+  std::vector<Vec2> listed_world_;
   std::size_t count_ = 0;
   std::size_t listed_count_ = 0;
   std::size_t beams_in_scan_ = 0;
@@ -47,5 +56,45 @@ class ScanReturns {
   std::uint32_t first_measured_ = 0;
   std::uint32_t last_measured_ = 0;
 };
+
+// Positive numbers are ordered as their bits are, and all others have larger ones: so one
+// comparison tells a return. Most beams of most scans meet nothing and are passed by in fours.
+template <class Visit>
+void ScanReturns::read(const Scan& scan, Visit visit) {
+  begin(scan);
+  const std::size_t n = scan.size();
+  const double* const range_m = scan.range_m.data();
+  const Vec2* const direction = scan.beams->direction_sensor.data();
+  const std::uint64_t miss = bits(scan.max_range_m);
+  const PackedFrame sensor(scan.sensor_world);
+  const double thinning_sq = thinning_distance_m_ * thinning_distance_m_;
+  const auto missed = [&](std::size_t i) { return bits(range_m[i]) == miss; };
+  PackedPoint last_listed = packed(Vec2::Constant(std::numeric_limits<double>::infinity()));
+  Vec2* const point = point_world_.data();
+  std::uint32_t* const beam = beam_.data();
+  std::uint32_t* const listed = listed_.data();
+  Vec2* const listed_world = listed_world_.data();
+  std::size_t count = 0;
+  std::size_t listed_count = 0;
+  for (std::size_t i = 0; i < n;) {
+    while (i + 4 <= n && missed(i) && missed(i + 1) && missed(i + 2) && missed(i + 3)) i += 4;
+    while (i < n && missed(i)) ++i;
+    for (; i < n && bits(range_m[i]) - 1 < miss - 1; ++i) {
+      const PackedPoint p = sensor.at(direction[i], range_m[i]);
+      store(p, point[count]);
+      beam[count] = static_cast<std::uint32_t>(i);
+      if (!(distance_sq(p, last_listed) < thinning_sq)) {
+        last_listed = p;
+        listed[listed_count] = static_cast<std::uint32_t>(count);
+        store(p, listed_world[listed_count++]);
+      }
+      visit(count++, p);
+    }
+    for (; i < n && bits(range_m[i]) - 1 > miss - 1; ++i) ++invalid_;
+  }
+  count_ = count;
+  listed_count_ = listed_count;
+  set_edges(scan);
+}
 
 }  // namespace voronaut
