@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace voronaut {
 
@@ -9,10 +10,10 @@ namespace {
 
 using Eigen::Vector2d;
 
-// Slow enough for what is left of the way to be v / k.
-constexpr double kRest_m_s = 0.05;
-constexpr double kRest_m_s2 = 0.1;
-constexpr double kRest_m_s3 = 0.5;
+// Below these, and with nothing limited, the loop is linear: what is left of the way follows from
+// the state.
+constexpr double kLinear_m_s2 = 2;
+constexpr double kStraightWay_m = 0.002;
 constexpr double kHorizon_s = 4;
 constexpr double kMinCosTilt = 0.25;
 
@@ -52,6 +53,30 @@ void advance(const VelocityResponse& r, PlanarMotion& m, const Vector2d& push) {
   m.p_m += (0.5 * t_s) * (v + m.v_m_s);
 }
 
+// What is left of the way to rest while braking, if it is a straight line from here. The linear
+// loop, integrated from now to the end: v, a and j vanish there, and each step acts on what was
+// measured a step before.
+std::optional<Vector2d> straight_way_left_m(const VelocityResponse& r, const PlanarMotion& m) {
+  const double limit_m_s2 = std::min(kLinear_m_s2, 0.9 * r.a_max_m_s2);
+  if (r.k_1_s * m.v_m_s.norm() > limit_m_s2) return std::nullopt;
+  if (r.gain_1_s2 == 0) return Vector2d((1 / r.k_1_s - r.period_s) * m.v_m_s);
+  if (m.a_m_s2.norm() > limit_m_s2) return std::nullopt;
+  if (asked_for(r, m, Vector2d(0, 0)).norm() > 0.9 * r.push_max_m_s4) return std::nullopt;
+  const double t_s = r.period_s;
+  const Vector2d v_before = m.v_m_s - t_s * m.a_m_s2;
+  const Vector2d a_before = m.a_m_s2 - t_s * m.j_m_s3;
+  const Vector2d way_m =
+      (m.j_m_s3 + r.gain_1_s2 * v_before + (r.damping_1_s - 0.5 * r.gain_1_s2 * t_s) * a_before) /
+          (r.gain_1_s2 * r.k_1_s) -
+      (0.5 * t_s) * (m.v_m_s + v_before);
+  const double speed_m_s = m.v_m_s.norm();
+  const double aside_m =
+      speed_m_s > 0 ? std::abs(m.v_m_s.x() * way_m.y() - m.v_m_s.y() * way_m.x()) / speed_m_s
+                    : way_m.norm();
+  if (aside_m > kStraightWay_m || way_m.dot(m.v_m_s) < 0) return std::nullopt;
+  return way_m;
+}
+
 }  // namespace
 
 double VelocityResponse::error_m(const PlanarMotion& now, const Vector2d& v_commanded) const {
@@ -84,19 +109,22 @@ void VelocityResponse::predict_stop(const PlanarMotion& now, const Vector2d& v_b
   const long sample_steps = std::max(1L, std::lround(sample_s / period_s));
   const auto steps_max = static_cast<long>(kHorizon_s / period_s);
   Vector2d pending = asked_for(*this, m, v_before);
-  long step = 0;
-  for (; step < steps_max; ++step) {
-    const bool braking = step >= hold_steps;
-    if (braking && m.v_m_s.squaredNorm() < kRest_m_s * kRest_m_s &&
-        m.a_m_s2.squaredNorm() < kRest_m_s2 * kRest_m_s2 &&
-        m.j_m_s3.squaredNorm() < kRest_m_s3 * kRest_m_s3)
-      break;
-    const Vector2d next = asked_for(*this, m, braking ? Vector2d(0, 0) : v_commanded);
+  Vector2d way_left_m(0, 0);
+  for (long step = 0; step < steps_max; ++step) {
+    const bool braking = step > hold_steps;
+    if (braking) {
+      if (const auto left_m = straight_way_left_m(*this, m)) {
+        way_left_m = *left_m;
+        break;
+      }
+    }
+    const Vector2d next = asked_for(*this, m, step >= hold_steps ? Vector2d(0, 0) : v_commanded);
     advance(*this, m, pending);
     pending = next;
     if ((step + 1) % sample_steps == 0) track.push_back(m.p_m);
   }
-  track.push_back(m.p_m + m.v_m_s / k_1_s);  // the way that is left
+  track.push_back(m.p_m);
+  track.push_back(m.p_m + way_left_m);
 }
 
 }  // namespace voronaut

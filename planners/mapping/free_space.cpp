@@ -12,6 +12,7 @@ namespace voronaut {
 namespace {
 
 constexpr int kWordBits = 64;
+constexpr double kChord_rad = 0.07;
 
 // std::floor() is a call without SSE4.1.
 int floor_of(double x) {
@@ -108,9 +109,8 @@ void FreeSpace::update(const Scan& scan) {
   if (scan.size() < 2) return;
   trace_star(scan);
   if (!open_window()) return;
-  for (std::size_t i = 0; i < outline_.size(); ++i) {
-    draw_edge(outline_[i], outline_[i + 1 < outline_.size() ? i + 1 : 0]);
-  }
+  for (std::size_t i = 0; i + 1 < outline_.size(); ++i) draw_edge(outline_[i], outline_[i + 1]);
+  draw_edge(outline_.back(), outline_.front());
   commit_window();
 }
 
@@ -123,6 +123,10 @@ void FreeSpace::trace_star(const Scan& scan) {
   const std::size_t triangles = full ? n : n - 1;
   if (!full) outline_.push_back(sensor);
 
+  // Where nothing is in range, one chord spans several beams, a millimetre inside their arc.
+  const auto chorded_max = static_cast<int>(kChord_rad / scan.beams->bearing_step_rad);
+  int chorded = 0;
+
   double length_m = free_length_m(scan, 0, half_spacing_rad);
   Vec2 direction = scan.direction_world(0) / cell_m_;
   for (std::size_t i = 0; i < triangles; ++i) {
@@ -130,8 +134,17 @@ void FreeSpace::trace_star(const Scan& scan) {
     const double next_length_m = free_length_m(scan, next, half_spacing_rad);
     const Vec2 next_direction = scan.direction_world(next) / cell_m_;
     const double both_m = std::min(length_m, next_length_m);
-    outline_.push_back(sensor + both_m * direction);
-    outline_.push_back(sensor + both_m * next_direction);
+    const Vec2 corner = sensor + both_m * direction;
+    if (outline_.empty() || corner != outline_.back()) outline_.push_back(corner);
+    const Vec2 next_corner = sensor + both_m * next_direction;
+    const bool nothing_in_range = both_m == scan.max_range_m;
+    if (nothing_in_range && chorded > 0 && chorded < chorded_max) {
+      outline_.back() = next_corner;
+      ++chorded;
+    } else {
+      outline_.push_back(next_corner);
+      chorded = nothing_in_range ? 1 : 0;
+    }
     length_m = next_length_m;
     direction = next_direction;
   }
@@ -157,28 +170,45 @@ bool FreeSpace::open_window() {
   return true;
 }
 
-void FreeSpace::draw_edge(Vec2 a, Vec2 b) {
-  if (a == b) return;  // its neighbours touch the same cell
-  if (a.y() > b.y()) std::swap(a, b);
-  const int first = std::max(floor_of(a.y()), window_.first_row);
-  const int last = std::min(floor_of(b.y()), window_.first_row + window_.rows - 1);
-  const double height = b.y() - a.y();
-  const double slope = height > 0 ? (b.x() - a.x()) / height : 0;
-  const int shift = window_.first_word * kWordBits;  // columns may be negative outside the bounds
+void FreeSpace::draw_edge(const Vec2& from, const Vec2& to) {
+  const bool rising = from.y() <= to.y();
+  const Vec2 &a = rising ? from : to, &b = rising ? to : from;
+  const int first = floor_of(a.y()), last = floor_of(b.y());
+  if (first == last) {  // most edges are shorter than a cell
+    if (first < window_.first_row || first >= window_.first_row + window_.rows) return;
+    touch(first, a.x(), b.x());
+    const double middle = first + 0.5;
+    if (a.y() <= middle && middle < b.y())
+      cross_middle(first, a.x() + (middle - a.y()) / (b.y() - a.y()) * (b.x() - a.x()));
+    return;
+  }
+  const double slope = (b.x() - a.x()) / (b.y() - a.y());
   const auto x_at = [&](double y) { return a.x() + (y - a.y()) * slope; };
-  double x_enters = x_at(std::max<double>(first, a.y()));
-  for (int row = first; row <= last; ++row) {
-    const double x_leaves = row + 1 < b.y() ? x_at(row + 1) : (height > 0 ? x_at(b.y()) : b.x());
-    set_columns(window_.row(window_.touched, row), 0,
-                floor_of(std::min(x_enters, x_leaves)) - shift,
-                floor_of(std::max(x_enters, x_leaves)) - shift);
+  const int first_drawn = std::max(first, window_.first_row);
+  const int last_drawn = std::min(last, window_.first_row + window_.rows - 1);
+  double x_enters = first < first_drawn ? x_at(first_drawn) : a.x();
+  for (int row = first_drawn; row <= last_drawn; ++row) {
+    const double x_leaves = row < last ? x_at(row + 1) : b.x();
+    touch(row, x_enters, x_leaves);
     x_enters = x_leaves;
     const double middle = row + 0.5;
-    if (a.y() <= middle && middle < b.y()) {
-      const int column = ceil_of(x_at(middle) - 0.5) - shift;  // first centre not left of it
-      window_.row(window_.parity, row)[column / kWordBits] ^= 1ULL << (column % kWordBits);
-    }
+    if (a.y() <= middle && middle < b.y()) cross_middle(row, x_at(middle));
   }
+}
+
+// The outline runs through this row between two abscissas.
+void FreeSpace::touch(int row, double x, double x_other) {
+  const int shift = window_.first_word * kWordBits;  // columns may be negative outside the bounds
+  int from = floor_of(x) - shift, to = floor_of(x_other) - shift;
+  if (from > to) std::swap(from, to);
+  set_columns(window_.row(window_.touched, row), 0, from, to);
+}
+
+// The outline crosses the middle of this row.
+void FreeSpace::cross_middle(int row, double x) {
+  const int shift = window_.first_word * kWordBits;
+  const int column = ceil_of(x - 0.5) - shift;  // first centre not left of it
+  window_.row(window_.parity, row)[column / kWordBits] ^= 1ULL << (column % kWordBits);
 }
 
 void FreeSpace::commit_window() {

@@ -70,7 +70,9 @@ class FreeSpace {
   Vec2 to_cells(const Vec2& p_world) const { return (p_world - origin_) / cell_m_; }
   void trace_star(const Scan& scan);
   bool open_window();
-  void draw_edge(Vec2 a, Vec2 b);
+  void draw_edge(const Vec2& from, const Vec2& to);
+  void touch(int row, double x, double x_other);
+  void cross_middle(int row, double x);
   void commit_window();
   std::optional<Vec2> unknown_in_disc(const Vec2& p_world, double radius_m) const;
   bool row_is_free(int row, double column_from, double column_to) const;
