@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "voronaut/benchmarks/micro/governed_cycle.h"
 #include "voronaut/benchmarks/micro/workload.h"
 #include "voronaut/environments/random.h"
 #include "voronaut/planners/mapping/obstacle_base.h"
@@ -142,6 +143,7 @@ const std::vector<CountedKernel>& counted_kernels() {
       {"motion_check_after_10k", "disc of 0.3 m swept 2 m", 248, 260,
        making<CheckWork>(10'000U, true)},
       {"checks_expected", "point that became known", 2'350, 2'000, making<ExpectingChecksWork>()},
+      {"governed_cycle", "scan of 91 rays, navigation alone", 60'000, 60'000, make_governed_cycle},
       {"sensing_720", "ray, forest scan", 50, 50, making<SensingWork>(720U)},
   };
   return kernels;

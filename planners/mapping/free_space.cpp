@@ -12,6 +12,7 @@ namespace voronaut {
 namespace {
 
 constexpr int kWordBits = 64;
+constexpr unsigned kInWord = kWordBits - 1;
 constexpr double kChord_rad = 0.07;
 
 // std::floor() is a call without SSE4.1.
@@ -21,21 +22,19 @@ int floor_of(double x) {
 }
 int ceil_of(double x) { return -floor_of(-x); }
 
-std::uint64_t bits_from(int column) { return ~0ULL << (column % kWordBits); }
-std::uint64_t bits_to(int column) {  // up to and including
-  return ~0ULL >> (kWordBits - 1 - column % kWordBits);
-}
+std::uint64_t bits_from(unsigned column) { return ~0ULL << (column & kInWord); }
+std::uint64_t bits_to(unsigned column) { return ~0ULL >> (kInWord - (column & kInWord)); }  // incl.
 
-// Sets the columns [from, to] of a row that starts at column 64 * first_word.
-void set_columns(std::uint64_t* row, int first_word, int from, int to) {
-  const int first = from / kWordBits, last = to / kWordBits;
+// Sets the columns [from, to] of a row.
+void set_columns(std::uint64_t* row, unsigned from, unsigned to) {
+  const unsigned first = from / kWordBits, last = to / kWordBits;
   if (first == last) {
-    row[first - first_word] |= bits_from(from) & bits_to(to);
+    row[first] |= bits_from(from) & bits_to(to);
     return;
   }
-  row[first - first_word] |= bits_from(from);
-  for (int w = first + 1; w < last; ++w) row[w - first_word] = ~0ULL;
-  row[last - first_word] |= bits_to(to);
+  row[first] |= bits_from(from);
+  for (unsigned w = first + 1; w < last; ++w) row[w] = ~0ULL;
+  row[last] |= bits_to(to);
 }
 
 // Bit i of the result is the parity of bits 0..i.
@@ -201,14 +200,16 @@ void FreeSpace::touch(int row, double x, double x_other) {
   const int shift = window_.first_word * kWordBits;  // columns may be negative outside the bounds
   int from = floor_of(x) - shift, to = floor_of(x_other) - shift;
   if (from > to) std::swap(from, to);
-  set_columns(window_.row(window_.touched, row), 0, from, to);
+  set_columns(window_.row(window_.touched, row), static_cast<unsigned>(from),
+              static_cast<unsigned>(to));
 }
 
 // The outline crosses the middle of this row.
 void FreeSpace::cross_middle(int row, double x) {
   const int shift = window_.first_word * kWordBits;
-  const int column = ceil_of(x - 0.5) - shift;  // first centre not left of it
-  window_.row(window_.parity, row)[column / kWordBits] ^= 1ULL << (column % kWordBits);
+  const auto column =
+      static_cast<unsigned>(ceil_of(x - 0.5) - shift);  // first centre not left of it
+  window_.row(window_.parity, row)[column / kWordBits] ^= 1ULL << (column & kInWord);
 }
 
 void FreeSpace::commit_window() {
@@ -218,7 +219,7 @@ void FreeSpace::commit_window() {
     std::uint64_t* known = free_.data() + static_cast<std::size_t>(row) * words_per_row_;
     std::uint64_t carry = 0;  // all ones while inside
     for (int w = 0; w < window_.words; ++w) {
-      const std::uint64_t inside = running_parity(parity[w]) ^ carry;
+      const std::uint64_t inside = parity[w] == 0 ? carry : running_parity(parity[w]) ^ carry;
       carry = inside >> (kWordBits - 1) ? ~0ULL : 0;
       const int word = window_.first_word + w;
       if (word < 0 || word >= words_per_row_) continue;
@@ -240,7 +241,8 @@ void FreeSpace::mark_disc(const Vec2& p_world, double radius_m) {
     const int from = std::max(0, floor_of(center.x() - half));
     const int to = std::min(columns_ - 1, floor_of(center.x() + half));
     if (from <= to) {
-      set_columns(free_.data() + static_cast<std::size_t>(row) * words_per_row_, 0, from, to);
+      set_columns(free_.data() + static_cast<std::size_t>(row) * words_per_row_,
+                  static_cast<unsigned>(from), static_cast<unsigned>(to));
     }
   }
 }

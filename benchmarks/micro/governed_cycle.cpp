@@ -1,0 +1,87 @@
+#include "voronaut/benchmarks/micro/governed_cycle.h"
+
+#include <ompl/util/Console.h>
+
+#include "voronaut/benchmarks/episode/episode.h"
+#include "voronaut/environments/scenario.h"
+#include "voronaut/environments/world.h"
+
+namespace voronaut::micro {
+namespace {
+
+TrialSpec governed_trial() {
+  TrialSpec spec;
+  const std::string forest = "{name: forest, side_m: 10, density_per_m2: 0.1}";
+  spec.scenario =
+      ScenarioSpec::generated({}, WorldGenerator::read(ConfigNode::parse(forest, "governed cycle")))
+          .instantiate(1);
+  spec.vehicle = vehicle("quadrotor");
+  spec.regulator_name = spec.vehicle.regulator;
+  spec.regulator = regulator(spec.regulator_name);
+  spec.planner = {"VoronoiRoadmap", "VoronoiRoadmap", {}};
+  spec.range_finder.rays = 91;
+  spec.navigation.governor = spec.navigation.look_around = spec.navigation.recovery = true;
+  spec.navigation.gaze = Gaze::path;
+  spec.shortest_length_m = 15;
+  return spec;
+}
+
+class GovernedCycle : public CountedWork {
+ public:
+  GovernedCycle() { flight_.regulator->reset(state_); }
+
+  // Flies on to the next scan after departure, up to where navigation is asked.
+  bool prepare() override {
+    for (;;) {
+      if (navigated_) finish_step();
+      navigated_ = true;
+      if (flight_.referee.verdict()) return false;
+      flight_.log.ticks.push_back({now_s(), state_, 0});
+      const bool scanned = flight_.scan_is_due(tick_);
+      if (scanned) {
+        flight_.sense(state_, now_s());
+        flight_.update_map();
+        flight_.plan(state_, now_s());
+      }
+      if (scanned && flight_.departed) return true;
+      setpoint_ = flight_.navigate(state_, now_s());
+    }
+  }
+  // Known-free space has this scan already; taking it again costs the same.
+  std::size_t run() override {
+    flight_.free_space.update(flight_.scan);
+    setpoint_ = flight_.navigate(state_, now_s());
+    return 1;
+  }
+
+ private:
+  double now_s() const { return static_cast<double>(tick_) * spec_.loop.vehicle_period_s; }
+  void finish_step() {
+    const Command command = flight_.regulator->regulate(setpoint_, state_);
+    state_ = flight_.model->step(state_, applied_, spec_.loop.vehicle_period_s);
+    applied_ = command;
+    ++tick_;
+    flight_.referee.judge(now_s(), state_);
+  }
+
+  TrialSpec spec_ = governed_trial();
+  PlannerCatalog planners_ = PlannerCatalog::built_in();
+  Flight flight_{spec_, planners_, false};
+  VehicleState state_ =
+      flight_.model->at_rest(Vec3(spec_.scenario.start_world.x(), spec_.scenario.start_world.y(),
+                                  spec_.scenario.start_height_m),
+                             spec_.scenario.start_heading);
+  Command applied_ = flight_.model->hold();
+  Setpoint setpoint_;
+  std::size_t tick_ = 0;
+  bool navigated_ = false;  // at this tick, or about to
+};
+
+}  // namespace
+
+std::unique_ptr<CountedWork> make_governed_cycle() {
+  ompl::msg::setLogLevel(ompl::msg::LOG_NONE);
+  return std::make_unique<GovernedCycle>();
+}
+
+}  // namespace voronaut::micro
