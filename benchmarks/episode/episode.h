@@ -43,6 +43,8 @@ struct Flight {
   void adopt(Plan plan, double now_s);
   void govern(const VehicleState& state, const Vec2& towards, bool squeezing, Setpoint& setpoint);
   std::optional<Vec2> crowding(const Vec2& p_world) const;
+  std::optional<Vec2> hemming_in(const Vec2& p_world) const;
+  std::optional<Vec2> in_doubt(const VehicleState& state) const;
   Vec2 leaning_away(const Vec2& towards, const Vec2& p_world) const;
 
   const TrialSpec& spec;

@@ -15,6 +15,8 @@ constexpr double kHeightReached_m_s = 0.1;
 constexpr double kBackOff_s = 2;
 constexpr double kBackOff_m_s = 0.3;
 constexpr double kSqueeze_s = 4;
+constexpr double kHeldBackShare = 0.2;
+constexpr double kHeldBack_m_s = 0.3;
 
 }  // namespace
 
@@ -36,14 +38,27 @@ bool Flight::depart(const VehicleState& state, double now_s) {
   return true;
 }
 
-// What stands closer to p than planners plan: a known point, or else the unknown that the governor
-// refused.
+// The known point that is closer to p than planners plan.
 std::optional<Vec2> Flight::crowding(const Vec2& p_world) const {
   const double limit_m = spec.vehicle.clearance_min_m - SafetyGovernor::kKnownMargin_m;
   const ObstacleSnapshot known = map.snapshot();
   if (const auto nearest = known.nearest(p_world, limit_m)) return known.points()[*nearest];
+  return std::nullopt;
+}
+
+// An unknown place as close as that, for which the governor refused.
+std::optional<Vec2> Flight::hemming_in(const Vec2& p_world) const {
+  const double limit_m = spec.vehicle.clearance_min_m - SafetyGovernor::kKnownMargin_m;
   if (refused_at && (*refused_at - p_world).norm() < limit_m) return refused_at;
   return std::nullopt;
+}
+
+// The unknown for whose sake the governor keeps the vehicle from moving on.
+std::optional<Vec2> Flight::in_doubt(const VehicleState& state) const {
+  const bool held_back = log.scans.size() > 1 &&
+                         log.scans[log.scans.size() - 2].governed_share < kHeldBackShare &&
+                         state.v_world.head<2>().norm() < kHeldBack_m_s;
+  return held_back ? refused_at : std::nullopt;
 }
 
 void Flight::recover(const VehicleState& state, double now_s) {
@@ -57,7 +72,8 @@ void Flight::recover(const VehicleState& state, double now_s) {
 
   const Vec2 p = state.p_world.head<2>();
   switch (recovery.advise({now_s, p, state.v_world.head<2>().norm(), tracker.has_path(),
-                           crowding(p).has_value(), !virtual_obstacles.empty()})) {
+                           crowding(p).has_value(), hemming_in(p).has_value(),
+                           !virtual_obstacles.empty()})) {
     case RecoveryAction::none:
       return;
     case RecoveryAction::back_off:
@@ -102,7 +118,7 @@ Setpoint Flight::navigate(const VehicleState& state, double now_s) {
   const Vec2 p = state.p_world.head<2>();
   Setpoint setpoint;
   setpoint.p_target_world = Vec3(p.x(), p.y(), spec.scenario.cruise_height_m);
-  setpoint.heading_world = gaze.heading(tracker, p);
+  setpoint.heading_world = gaze.heading(tracker, p, in_doubt(state));
 
   Aim aim{p, 0, false};
   if (look_around.active()) {
@@ -111,7 +127,8 @@ Setpoint Flight::navigate(const VehicleState& state, double now_s) {
     setpoint.yaw_rate_rad_s = spec.vehicle.limits.max_yaw_rate_rad_s;
   } else if (departed && now_s < back_off_until_s) {
     executive = ExecutiveState::backing_off;
-    if (const auto place = crowding(p)) aim = {p + (p - *place).normalized(), kBackOff_m_s, false};
+    const auto place = crowding(p) ? crowding(p) : hemming_in(p);
+    if (place) aim = {p + (p - *place).normalized(), kBackOff_m_s, false};
   } else if (tracker.has_path()) {
     executive = ExecutiveState::under_way;
     setpoint.yaw_rate_rad_s = gaze.yaw_rate_rad_s(setpoint.heading_world, state.heading_world());

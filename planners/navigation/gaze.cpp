@@ -13,11 +13,16 @@ constexpr double kTurn_1_s = 1.2;
 
 }  // namespace
 
-Eigen::Vector2d GazePolicy::heading(const PathTracker& tracker, const Eigen::Vector2d& p_world) {
+Eigen::Vector2d GazePolicy::heading(const PathTracker& tracker, const Eigen::Vector2d& p_world,
+                                    const std::optional<Eigen::Vector2d>& in_doubt_world) {
   if (gaze_ == Gaze::path && tracker.has_path()) {
     const Eigen::Vector2d ahead =
         tracker.path().point_at(tracker.station_m() + kLookAhead_m) - p_world;
-    if (ahead.norm() > kRest_m) heading_ = ahead.normalized();
+    if (in_doubt_world && *in_doubt_world != p_world) {
+      heading_ = (*in_doubt_world - p_world).normalized();
+    } else if (ahead.norm() > kRest_m) {
+      heading_ = ahead.normalized();
+    }
   }
   return heading_;
 }

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <optional>
+
 #include <Eigen/Core>
 
 #include "voronaut/planners/navigation/navigation_config.h"
@@ -14,8 +16,9 @@ class GazePolicy {
       : gaze_(gaze), heading_(start_heading) {}
 
   // Unit vector. Along the path it is a point about a metre ahead; closer than that to its end the
-  // gaze rests.
-  Eigen::Vector2d heading(const PathTracker& tracker, const Eigen::Vector2d& p_world);
+  // gaze rests. A vehicle that is held back for a place in doubt looks there.
+  Eigen::Vector2d heading(const PathTracker& tracker, const Eigen::Vector2d& p_world,
+                          const std::optional<Eigen::Vector2d>& in_doubt_world);
 
   // Turning rate that brings the gaze there sooner than the regulator's own yaw loop would
   // (feedforward), given where the vehicle looks now. 0 for a fixed gaze.

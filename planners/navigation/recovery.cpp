@@ -51,9 +51,12 @@ RecoveryAction RecoveryPolicy::next_step(const Progress& progress) {
     return drops_++ < kDropsMax ? RecoveryAction::drop_virtual_obstacles : RecoveryAction::none;
   }
   if (progress.too_close && steps_taken_ == 1) return RecoveryAction::back_off;
-  if (steps_taken_ <= 2) return RecoveryAction::look_around;
+  if (steps_taken_ == 1) return RecoveryAction::look_around;
+  if (steps_taken_ == 2)
+    return progress.hemmed_in ? RecoveryAction::back_off : RecoveryAction::look_around;
   // In a passage that turned out narrower than planners plan for, any way out is as narrow.
-  if (progress.too_close && steps_taken_ == 3) return RecoveryAction::squeeze;
+  if ((progress.too_close || progress.hemmed_in) && steps_taken_ == 3)
+    return RecoveryAction::squeeze;
   return RecoveryAction::add_virtual_obstacle;
 }
 

@@ -24,7 +24,8 @@ struct Progress {
   Vec2 p_world = Vec2::Zero();
   double speed_m_s = 0;
   bool wants_to_move = false;     // there is a path and it is not yet flown
-  bool too_close = false;         // nearer to something than planners plan
+  bool too_close = false;         // nearer to a known point than planners plan
+  bool hemmed_in = false;         // refused for an unknown place as near as that
   bool virtual_in_force = false;  // planners see virtual obstacles
 };
 

@@ -53,9 +53,10 @@ TEST(PathTracker, SlowsDownBeforeASharpCorner) {
 TEST(GazePolicy, FixedNeverTurnsAndAlongThePathLooksAMetreAhead) {
   const PathTracker tracker = tracker_on({Vec2(0, 0), Vec2(0, 5)});
   GazePolicy fixed(Gaze::fixed, Vec2(1, 0));
-  EXPECT_EQ(fixed.heading(tracker, Vec2(0, 0)), Vec2(1, 0));
+  EXPECT_EQ(fixed.heading(tracker, Vec2(0, 0), Vec2(0, -1)), Vec2(1, 0));
   GazePolicy along(Gaze::path, Vec2(1, 0));
-  EXPECT_NEAR((along.heading(tracker, Vec2(0, 0)) - Vec2(0, 1)).norm(), 0, 1e-12);
+  EXPECT_NEAR((along.heading(tracker, Vec2(0, 0), {}) - Vec2(0, 1)).norm(), 0, 1e-12);
+  EXPECT_EQ(along.heading(tracker, Vec2(0, 0), Vec2(-0.4, 0)), Vec2(-1, 0));
 }
 
 // A wall without thickness along x = 1 from y = -inf to y = top.

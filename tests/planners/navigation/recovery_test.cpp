@@ -37,6 +37,18 @@ TEST(RecoveryPolicy, GoesFromTheMildestStepToTheHarshest) {
   EXPECT_EQ(next_action(policy, now_s, stalled), RecoveryAction::add_virtual_obstacle);
 }
 
+TEST(RecoveryPolicy, LooksBeforeItBacksOffFromWhatIsUnknown) {
+  RecoveryPolicy policy(kTimeout_s);
+  double now_s = 0;
+  Progress stalled;
+  stalled.wants_to_move = true;
+  stalled.hemmed_in = true;
+  EXPECT_EQ(next_action(policy, now_s, stalled), RecoveryAction::look_around);
+  EXPECT_EQ(next_action(policy, now_s, stalled), RecoveryAction::back_off);
+  EXPECT_EQ(next_action(policy, now_s, stalled), RecoveryAction::squeeze);
+  EXPECT_EQ(next_action(policy, now_s, stalled), RecoveryAction::add_virtual_obstacle);
+}
+
 TEST(RecoveryPolicy, LetsAVehicleThatMovesAlone) {
   RecoveryPolicy policy(kTimeout_s);
   double now_s = 0;
