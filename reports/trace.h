@@ -61,8 +61,16 @@ struct TraceMerge {
   std::uint32_t into = 0;
 };
 
+// The best cost of an anytime planner after so much work, whenever it became better.
+struct TraceImprovement {
+  std::int64_t state_checks = 0;
+  double time_s = 0;  // wall clock
+  double cost_m = 0;
+};
+
 struct Trace {
   std::string trial_id;
+  bool known = false;  // static planning: nobody flew, the frames walk along the path at 1 m/s
   double body_radius_m = 0;
   double clearance_min_m = 0;
   double field_of_view_rad = 0;
@@ -77,6 +85,7 @@ struct Trace {
   std::vector<TraceEdge> edges;                // in the order of their first search
   int searches = 0;                            // that there were
   int kept_searches = 0;  // of them, the first ones: what a replay has room for
+  std::vector<TraceImprovement> improvements;  // of a static plan
   std::vector<TraceFrame> frames;
 };
 

@@ -8,10 +8,13 @@
 
 #include "voronaut/benchmarks/episode/metrics.h"
 #include "voronaut/benchmarks/known/known_problem.h"
+#include "voronaut/benchmarks/known/known_trace.h"
 #include "voronaut/environments/world.h"
 #include "voronaut/planners/catalog/planner_insight.h"
+#include "voronaut/planners/problem/path_conversion.h"
 #include "voronaut/planners/problem/planar_state.h"
 #include "voronaut/planners/problem/planning_budget.h"
+#include "voronaut/planners/problem/search_graph.h"
 
 namespace voronaut {
 
@@ -21,7 +24,7 @@ namespace {
 
 // One solve, everything made anew.
 struct KnownSolve {
-  KnownSolve(const TrialSpec& spec, const PlannerCatalog& planners)
+  KnownSolve(const TrialSpec& spec, const PlannerCatalog& planners, bool watch)
       : problem(spec.scenario, spec.vehicle.clearance_min_m) {
     planner = planners.find(spec.planner.name)->make(problem.space_information());
     set_parameters(*planner, spec.planner.params);
@@ -29,7 +32,7 @@ struct KnownSolve {
     planner->setup();
     const BudgetMeter meter(spec.budget, [this] { return problem.state_checks(); });
     const auto start = std::chrono::steady_clock::now();
-    report = solve_within(*planner, meter);
+    report = solve_within(*planner, meter, watch ? &improvements : nullptr);
     const std::chrono::duration<double, std::micro> spent =
         std::chrono::steady_clock::now() - start;
     time_us = spent.count();
@@ -39,6 +42,7 @@ struct KnownSolve {
   KnownProblem problem;
   ob::PlannerPtr planner;
   SolveReport report;
+  std::vector<Improvement> improvements;
   double time_us = 0;
   std::uint64_t checks = 0;
 };
@@ -81,17 +85,7 @@ std::vector<Tick> vertices(const KnownSolve& solved, const World& world) {
   return ticks;
 }
 
-}  // namespace
-
-RunRecord run_known_trial(const TrialSpec& spec, const PlannerCatalog& planners) {
-  {
-    // Untimed: the first solve of a process pays for pages and caches.
-    seed(spec);
-    const KnownSolve warm_up(spec, planners);
-  }
-  seed(spec);
-  const KnownSolve solved(spec, planners);
-
+RunRecord record_of(const TrialSpec& spec, const KnownSolve& solved) {
   RunRecord record = record_before_flight(spec);
   judge(record, solved);
   record.replans = 1;
@@ -117,6 +111,30 @@ RunRecord run_known_trial(const TrialSpec& spec, const PlannerCatalog& planners)
   }
   record.state_digest = state_digest(path);
   return record;
+}
+
+}  // namespace
+
+TrialResult run_known_trial(const TrialSpec& spec, const PlannerCatalog& planners,
+                            bool keep_trace) {
+  {
+    // Untimed: the first solve of a process pays for pages and caches.
+    seed(spec);
+    const KnownSolve warm_up(spec, planners, keep_trace);
+  }
+  seed(spec);
+  KnownSolve solved(spec, planners, keep_trace);
+
+  TrialResult result{record_of(spec, solved), std::nullopt};
+  if (!keep_trace) return result;
+  Path path;
+  if (const ob::PathPtr& found = solved.problem.definition()->getSolutionPath())
+    path = to_path(*found->as<ompl::geometric::PathGeometric>(),
+                   *solved.problem.space_information()->getStateSpace());
+  result.trace = known_trace(
+      spec, path, solved.improvements,
+      search_graph(*solved.planner, *solved.problem.space_information()->getStateSpace()));
+  return result;
 }
 
 }  // namespace voronaut

@@ -16,7 +16,9 @@ namespace voronaut {
 //   planning_time_us_mean   wall time of solve()
 //   state_digest    over the vertices of the path
 //
+// A trace walks along the path at 1 m/s, and holds what the planner searched and its improvements.
+//
 // Seeds OMPL: in a process of its own, as run_trial().
-RunRecord run_known_trial(const TrialSpec& spec, const PlannerCatalog& planners);
+TrialResult run_known_trial(const TrialSpec& spec, const PlannerCatalog& planners, bool keep_trace);
 
 }  // namespace voronaut

@@ -79,7 +79,7 @@ Sums through_us(const TrialSpec& query) {
     spec.planner_seed = derive_seed(1, {query.scenario.name}, run);
     const ChildReport child = run_in_child(
         [&] {
-          const RunRecord row = run_known_trial(spec, planners);
+          const RunRecord row = run_known_trial(spec, planners, false).record;
           return std::to_string(row.planning_time_us_mean) + " " +
                  (row.outcome == Outcome::goal_reached ? "1" : "0");
         },

@@ -86,7 +86,7 @@ RunRecord record_before_flight(const TrialSpec& spec) {
 
 TrialResult run_trial(const TrialSpec& spec, const PlannerCatalog& planners, bool keep_trace) {
   ompl::msg::setLogLevel(ompl::msg::LOG_NONE);
-  if (spec.kind == TrialKind::known) return {run_known_trial(spec, planners), std::nullopt};
+  if (spec.kind == TrialKind::known) return run_known_trial(spec, planners, keep_trace);
   ompl::RNG::setSeed(static_cast<std::uint_fast32_t>(spec.planner_seed % 0x7fffffffU) + 1);
 
   TrialResult result{record_before_flight(spec), std::nullopt};

@@ -4,6 +4,7 @@
 #include <charconv>
 #include <chrono>
 #include <cmath>
+#include <limits>
 #include <string>
 #include <utility>
 
@@ -30,6 +31,8 @@ struct BudgetMeter::Spending {
     return end != SolveEnd::planner;
   }
 
+  double seconds() const { return std::chrono::duration<double>(Clock::now() - start).count(); }
+
   std::optional<SolveEnd> limit_met(std::uint64_t evaluated) const {
     switch (budget.counts) {
       case PlanningBudget::Counts::state_checks:
@@ -40,8 +43,7 @@ struct BudgetMeter::Spending {
         if (evaluated > budget.iterations) return SolveEnd::iterations;
         break;
       case PlanningBudget::Counts::wall_clock:
-        if (std::chrono::duration<double>(Clock::now() - start).count() >= budget.wall_clock_s)
-          return SolveEnd::wall_clock;
+        if (seconds() >= budget.wall_clock_s) return SolveEnd::wall_clock;
         break;
     }
     return std::nullopt;
@@ -66,6 +68,12 @@ std::optional<SolveEnd> BudgetMeter::ran_out() const {
 
 PlanningBudget::Stop BudgetMeter::stop() const { return spending_->budget.stop; }
 
+std::uint64_t BudgetMeter::state_checks_spent() const {
+  return spending_->state_checks() - spending_->checks_at_start;
+}
+
+double BudgetMeter::seconds_spent() const { return spending_->seconds(); }
+
 namespace {
 
 // Any path will do. Planners read the objective when they are set up for the problem.
@@ -83,28 +91,40 @@ ob::Planner::PlannerProgressProperty best_cost_of(const ob::Planner& planner) {
   return nullptr;
 }
 
-bool is_finite(const std::string& cost) {
+// Infinite as long as there is none.
+double cost_in(const std::string& text) {
   double value = 0;
-  const auto [end, error] = std::from_chars(cost.data(), cost.data() + cost.size(), value);
-  return error == std::errc{} && std::isfinite(value);
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  return error == std::errc{} ? value : std::numeric_limits<double>::infinity();
+}
+
+void note(const std::string& best_cost, const BudgetMeter& meter,
+          std::vector<Improvement>& improvements) {
+  const double cost = cost_in(best_cost);
+  const bool better = improvements.empty() || cost < improvements.back().cost;
+  if (std::isfinite(cost) && better)
+    improvements.push_back({meter.state_checks_spent(), meter.seconds_spent(), cost});
 }
 
 }  // namespace
 
-SolveReport solve_within(ob::Planner& planner, const BudgetMeter& meter) {
+SolveReport solve_within(ob::Planner& planner, const BudgetMeter& meter,
+                         std::vector<Improvement>* improvements) {
   const bool first =
       meter.stop() == PlanningBudget::Stop::first && planner.getSpecs().optimizingPaths;
   ob::PlannerTerminationCondition condition = meter.condition();
-  if (first) {
-    if (!planner.isSetup()) be_content_with_any_path(planner.getProblemDefinition());
-    // A property is read between the steps of the search: not where several threads search.
-    const auto best_cost = best_cost_of(planner);
-    if (best_cost && !planner.getSpecs().multithreaded)
-      condition = ob::plannerOrTerminationCondition(
-          condition,
-          ob::PlannerTerminationCondition([best_cost] { return is_finite(best_cost()); }));
+  if (first && !planner.isSetup()) be_content_with_any_path(planner.getProblemDefinition());
+  // A property is read between the steps of the search: not where several threads search.
+  const auto best_cost = planner.getSpecs().multithreaded ? nullptr : best_cost_of(planner);
+  if (best_cost && (first || improvements != nullptr)) {
+    condition = ob::plannerOrTerminationCondition(
+        condition, ob::PlannerTerminationCondition([best_cost, first, improvements, &meter] {
+          if (improvements != nullptr) note(best_cost(), meter, *improvements);
+          return first && std::isfinite(cost_in(best_cost()));
+        }));
   }
   SolveReport report{planner.solve(condition), SolveEnd::planner};
+  if (best_cost && improvements != nullptr) note(best_cost(), meter, *improvements);
   if (const auto spent = meter.ran_out())
     report.end = *spent;
   else if (first && report.status == ob::PlannerStatus::EXACT_SOLUTION)

@@ -4,6 +4,7 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <vector>
 
 #include <ompl/base/Planner.h>
 
@@ -48,6 +49,8 @@ class BudgetMeter {
   // Which limit was met; empty as long as none was.
   std::optional<SolveEnd> ran_out() const;
   PlanningBudget::Stop stop() const;
+  std::uint64_t state_checks_spent() const;
+  double seconds_spent() const;
 
  private:
   struct Spending;
@@ -59,9 +62,20 @@ struct SolveReport {
   SolveEnd end = SolveEnd::planner;
 };
 
+// A better solution of an anytime planner, and what it had cost by then.
+struct Improvement {
+  std::uint64_t state_checks = 0;
+  double time_s = 0;  // wall clock
+  double cost = 0;    // of the objective: metres
+};
+
 // Solves within the meter's budget. Stop::first gives anytime planners an objective that every
 // path satisfies, and ends those that do not care for it (LBTRRT, LazyLBTRRT) as soon as their
 // progress property "best cost" is finite.
-SolveReport solve_within(ompl::base::Planner& planner, const BudgetMeter& meter);
+//
+// `improvements`, if given, gets each better cost that the planner tells by that property, seen
+// once per evaluation of the termination condition; nothing of planners without it or with threads.
+SolveReport solve_within(ompl::base::Planner& planner, const BudgetMeter& meter,
+                         std::vector<Improvement>* improvements = nullptr);
 
 }  // namespace voronaut

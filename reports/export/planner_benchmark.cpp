@@ -94,16 +94,32 @@ std::vector<BenchmarkRow> progress_of(const Trace& trace, const TracePoint& goal
   return rows;
 }
 
+// Cost over work of a static plan.
+std::vector<BenchmarkRow> improvements_of(const Trace& trace) {
+  std::vector<BenchmarkRow> rows;
+  double last_s = -1;
+  for (const TraceImprovement& i : trace.improvements) {
+    if (i.time_s <= last_s) continue;  // the tables have one row for a moment
+    rows.push_back({finite_text(i.cost_m), std::to_string(i.state_checks), finite_text(i.time_s)});
+    last_s = i.time_s;
+  }
+  return rows;
+}
+
+const std::vector<BenchmarkColumn> kFlightProgress = {{"distance_to_goal_m", "REAL"},
+                                                      {"flown_length_m", "REAL"},
+                                                      {"planning_time_us", "REAL"},
+                                                      {"time", "REAL"}};
+const std::vector<BenchmarkColumn> kPlanProgress = {
+    {"best_cost", "REAL"}, {"state_checks", "INTEGER"}, {"time", "REAL"}};
+
 }  // namespace
 
 void add_stored_runs(const ResultStore& store, PlannerBenchmark& benchmark) {
   benchmark.enum_name = "status";
   for (const Outcome outcome : kOutcomes) benchmark.enum_words.emplace_back(to_string(outcome));
   benchmark.run_columns = run_columns();
-  benchmark.progress_columns = {{"distance_to_goal_m", "REAL"},
-                                {"flown_length_m", "REAL"},
-                                {"planning_time_us", "REAL"},
-                                {"time", "REAL"}};
+  benchmark.progress_columns = kFlightProgress;
   std::map<std::string, TracePoint> goals;
   for (const TraceWorld& world : store.worlds()) goals[world.world_id] = world.goal;
   std::map<std::string, BenchmarkedPlanner> planners;
@@ -112,8 +128,13 @@ void add_stored_runs(const ResultStore& store, PlannerBenchmark& benchmark) {
     planner.name = record.planner;
     planner.runs.push_back(run_row(record));
     const auto trace = store.trace(record.trial_id);
-    planner.progress.push_back(trace ? progress_of(*trace, goals[record.world_id])
-                                     : std::vector<BenchmarkRow>{});
+    auto& samples = planner.progress.emplace_back();
+    if (trace && trace->known) {  // one suite is of one kind
+      benchmark.progress_columns = kPlanProgress;
+      samples = improvements_of(*trace);
+    } else if (trace) {
+      samples = progress_of(*trace, goals[record.world_id]);
+    }
     if (std::isfinite(record.cpu_time_s)) benchmark.total_time_s += record.cpu_time_s;
   }
   for (auto& [name, planner] : planners) {

@@ -5,6 +5,7 @@
 
 #include "voronaut/reports/page/delta_json.h"
 #include "voronaut/reports/page/json_text.h"
+#include "voronaut/reports/page/trace_lists_json.h"
 #include "voronaut/reports/store/deflate.h"
 
 namespace voronaut {
@@ -14,9 +15,8 @@ namespace {
 using nlohmann::json;
 
 constexpr int kVersion = 2;
-constexpr double kPerMetre = 1000.0;
+constexpr double kPerMetre = kTracePerMetre;
 constexpr double kRangePerMetre = 100.0;
-constexpr double kEdgePerMetre = 100.0;
 constexpr std::int64_t kNoReturn = -1;
 
 // One list for both directions: v(key, member of the frame, units per SI unit).
@@ -68,71 +68,6 @@ void visit_columns(Visitor&& v) {
       "share_1e3", [](auto& f) -> auto& { return f.governed_share; }, 1e3);
   v(
       "known", [](auto& f) -> auto& { return f.known_points; }, 1.0);
-}
-
-using Polyline = std::vector<TracePoint>;
-
-json polylines_to_json(const std::vector<Polyline>& polylines) {
-  json list = json::array();
-  for (const Polyline& polyline : polylines) list.push_back(points_to_json(polyline, kPerMetre));
-  return list;
-}
-
-std::vector<Polyline> polylines_from_json(const json& list) {
-  std::vector<Polyline> polylines;
-  for (const json& polyline : list) polylines.push_back(points_from_json(polyline, kPerMetre));
-  return polylines;
-}
-
-// The edges' ends as one polyline, so that neighbours cost little.
-json edges_to_json(const std::vector<TraceEdge>& edges) {
-  Polyline ends;
-  DeltaWriter first;
-  json searches_on = json::array();
-  for (const TraceEdge& edge : edges) {
-    ends.push_back(edge.a);
-    ends.push_back(edge.b);
-    first.push(edge.first_search, 1);
-    searches_on.push_back(edge.last_search - edge.first_search);
-  }
-  return {{"ends_cm", points_to_json(ends, kEdgePerMetre)},
-          {"first", first.take()},
-          {"on", std::move(searches_on)}};
-}
-
-std::vector<TraceEdge> edges_from_json(const json& in) {
-  const Polyline ends = points_from_json(in.at("ends_cm"), kEdgePerMetre);
-  const json& first = in.at("first");
-  const json& searches_on = in.at("on");
-  if (ends.size() != 2 * first.size() || searches_on.size() != first.size()) {
-    throw std::invalid_argument("edges without two ends, a first and a last search");
-  }
-  std::vector<TraceEdge> edges;
-  DeltaReader reader;
-  for (std::size_t i = 0; i < first.size(); ++i) {
-    const int from = static_cast<int>(reader.next(first[i], 1));
-    edges.push_back({ends[2 * i], ends[2 * i + 1], from, from + searches_on[i].get<int>()});
-  }
-  return edges;
-}
-
-// [frame, from, into, ...]
-json merges_to_json(const std::vector<TraceMerge>& merges) {
-  json flat = json::array();
-  for (const TraceMerge& merge : merges) {
-    for (const std::uint32_t value : {merge.frame, merge.from, merge.into}) flat.push_back(value);
-  }
-  return flat;
-}
-
-std::vector<TraceMerge> merges_from_json(const json& flat) {
-  if (flat.size() % 3 != 0) throw std::invalid_argument("half a merge");
-  std::vector<TraceMerge> merges;
-  for (std::size_t i = 0; i < flat.size(); i += 3) {
-    merges.push_back({flat[i].get<std::uint32_t>(), flat[i + 1].get<std::uint32_t>(),
-                      flat[i + 2].get<std::uint32_t>()});
-  }
-  return merges;
 }
 
 json ranges_to_json(const std::vector<float>& range_m, double max_range_m) {
@@ -229,6 +164,8 @@ std::string trace_to_json(const Trace& trace) {
   out["edges"] = edges_to_json(trace.edges);
   out["searches"] = trace.searches;
   out["kept_searches"] = trace.kept_searches;
+  out["known"] = trace.known;
+  out["improvements"] = improvements_to_json(trace.improvements);
   out["frames"] = frames_to_json(trace);
   return json_text(out);
 }
@@ -256,6 +193,8 @@ Trace trace_from_json(std::string_view text) {
     trace.edges = edges_from_json(in.at("edges"));
     in.at("searches").get_to(trace.searches);
     in.at("kept_searches").get_to(trace.kept_searches);
+    in.at("known").get_to(trace.known);
+    trace.improvements = improvements_from_json(in.at("improvements"));
     trace.frames = frames_from_json(in.at("frames"), trace.max_range_m);
     return trace;
   });

@@ -17,11 +17,12 @@
 //    "field_of_view_rad":..., "max_range_m":..., "modes":[...], "replan_reasons":[...],
 //    "plans":[[dx,dy,...],...], "known_points":[dx,dy,...], "cluster_of":[...],
 //    "merges":[frame,from,into,...], "hulls":[[dx,dy,...],...], "searches":n, "kept_searches":n,
+//    "known":false, "improvements":[[checks,...],[us,...],[um,...]],
 //    "edges":{"ends_cm":[dx,dy,...], "first":[...], "on":[searches more,...]},
 //    "frames":{"t_ms":[...], "x_mm":[...], ..., "range_cm":[[...],...], "tube_mm":[[...],...]}}
-// Polylines and the columns of frames hold differences from the previous entry, the first one from
-// 0, of a tube from the vehicle. A scan is coded along its rays, -1 standing for no return before
-// the differences are taken.
+// Polylines, improvements and the columns of frames hold differences from the previous entry, the
+// first one from 0, of a tube from the vehicle. A scan is coded along its rays, -1 standing for no
+// return before the differences are taken.
 namespace voronaut {
 
 std::string trace_to_json(const Trace& trace);

@@ -1,12 +1,17 @@
 #include "voronaut/benchmarks/known/known_trial.h"
 
+#include <cstdlib>
+#include <fstream>
 #include <map>
 #include <string>
 
 #include <gtest/gtest.h>
 
+#include "voronaut/benchmarks/results/output_folder.h"
 #include "voronaut/benchmarks/runner/runner.h"
 #include "voronaut/benchmarks/suite/suite_trials.h"
+#include "voronaut/reports/store/sqlite.h"
+#include "voronaut/tests/benchmarks/small_suite.h"
 
 namespace voronaut {
 namespace {
@@ -62,6 +67,66 @@ TEST(KnownTrial, SaysThatNoPathWasFoundWithinTheBudget) {
   EXPECT_EQ(rows.at("walled/RRTConnect").spl, 0);
   EXPECT_EQ(rows.at("walled/RRTConnect").stops_state_checks, 1);
   EXPECT_NE(rows.at("walled/VoronoiRoadmap").outcome, Outcome::goal_reached);
+}
+
+// A suite of this kind, run and exported by the program; its Planner Arena database.
+class KnownSuite : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    std::ofstream(folder_.path() / "static.yaml") << kSuite << "traces: all\n";
+    for (const char* arguments :
+         {"run static.yaml --out r --jobs 2", "export r --format plannerarena -o arena.db"}) {
+      const std::string command = "cd '" + folder_.path().string() + "' && '" + VORONAUT_PROGRAM +
+                                  "' " + arguments + " >said.txt 2>&1";
+      ASSERT_EQ(std::system(command.c_str()), 0) << arguments;
+    }
+  }
+  TemporaryFolder folder_;
+};
+
+TEST_F(KnownSuite, ExportsTheCostOverWorkOfAnytimePlanners) {
+  const sqlite::Database arena(folder_.path() / "arena.db", sqlite::OpenMode::existing);
+  sqlite::Statement rows(arena,
+                         "SELECT r.id, r.path_length_m, r.state_checks, p.best_cost, "
+                         "p.state_checks, p.time FROM runs r JOIN progress p ON p.runid = r.id "
+                         "JOIN plannerConfigs c ON c.id = r.plannerid WHERE c.name = 'RRTstar' "
+                         "ORDER BY r.id, p.time");
+  int samples = 0;
+  double cost_m = 1e9;
+  double checks = 0;
+  double path_m = 0;
+  while (rows.step()) {
+    EXPECT_LT(rows.real(3), cost_m);
+    EXPECT_GE(rows.real(4), checks);
+    EXPECT_LE(rows.real(4), rows.real(2));
+    path_m = rows.real(1);
+    cost_m = rows.real(3);
+    checks = rows.real(4);
+    ++samples;
+  }
+  EXPECT_GT(samples, 3);  // of the one problem that has a solution
+  EXPECT_NEAR(cost_m, path_m, 2e-3);
+  sqlite::Statement others(arena,
+                           "SELECT count(*) FROM progress p JOIN runs r ON p.runid = r.id JOIN "
+                           "plannerConfigs c ON c.id = r.plannerid WHERE c.name = 'RRTConnect'");
+  ASSERT_TRUE(others.step());
+  EXPECT_EQ(others.real(0), 0);  // it tells no cost
+}
+
+TEST_F(KnownSuite, KeepsATraceThatWalksAlongThePath) {
+  const OutputFolder folder = OutputFolder::open(folder_.path() / "r");
+  for (const RunRecord& record : folder.store().records()) {
+    const auto trace = folder.store().trace(record.trial_id);
+    ASSERT_TRUE(trace) << record.planner;
+    EXPECT_TRUE(trace->known);
+    EXPECT_EQ(trace->searches, 1);
+    EXPECT_EQ(trace->edges.empty(), trace->kept_searches == 0) << record.planner;
+    EXPECT_EQ(trace->frames.front().search, trace->kept_searches - 1) << record.planner;
+    if (record.outcome != Outcome::goal_reached) continue;
+    EXPECT_NEAR(trace->frames.back().t_s, record.path_length_m, 2e-3) << "at 1 m/s";
+    EXPECT_NEAR(trace->frames.back().x_m, record.end_x_m, 1e-3);
+    for (const TraceFrame& frame : trace->frames) EXPECT_GT(frame.clearance_m, 0.39);
+  }
 }
 
 }  // namespace

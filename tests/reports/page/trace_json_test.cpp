@@ -97,6 +97,18 @@ TEST(TraceJson, KeepsEverythingAtTheStatedResolution) {
   }
 }
 
+TEST(TraceJson, KeepsWhatAStaticPlanCost) {
+  Trace trace;
+  trace.known = true;
+  trace.improvements = {{100, 0.0012, 15.25}, {250, 0.004001, 14.5}};
+  const Trace back = decompress_trace(compress_trace(trace));
+  EXPECT_TRUE(back.known);
+  ASSERT_EQ(back.improvements.size(), 2U);
+  EXPECT_EQ(back.improvements[1].state_checks, 250);
+  EXPECT_NEAR(back.improvements[1].time_s, 0.004001, 1e-9);
+  EXPECT_NEAR(back.improvements[1].cost_m, 14.5, 1e-9);
+}
+
 TEST(TraceJson, RoundingDoesNotAddUpAlongATrajectory) {
   Trace trace;
   for (int i = 0; i < 10'000; ++i) {
