@@ -1,14 +1,14 @@
 // The five situations of the quadrotor paper's figure 9 in its order, with the numbers beside.
 import { Report, Trial, vehicleOf } from "./data";
 import { plannerCell } from "./cells";
-import { el, fixed, nameOf, saveText, button, select } from "./dom";
+import { el, fixed, nameOf, select } from "./dom";
+import { waysButtons } from "./drawn_ways";
 import { replayLink } from "./links";
 import { outcomeSign, outcomeWords, Palette } from "./palette";
 import { Filter, keeps } from "./sample";
 import { firstPerPlanner, Scene, scenesOf } from "./scene";
 import { sceneDrawing, whenSeen } from "./scenes";
 import { Column, table } from "./table";
-import { standaloneSvg } from "./take_away";
 
 const kScenes: [scenario: string, caption: string][] = [
   ["paper-between", "(a) between obstacles"],
@@ -54,13 +54,10 @@ function numbers(scenes: Scene[], chosen: (scene: Scene) => Trial[], palette: Pa
 function sceneFigure(report: Report, scene: Scene, trials: Trial[], palette: Palette): HTMLElement {
   const caption = new Map(kScenes).get(scene.scenario) as string;
   const place = el("div", { class: "waiting" }, "drawing \u2026");
-  const figure = el("figure", { "data-figure9": scene.scenario }, place,
+  const figure: HTMLElement = el("figure", { "data-figure9": scene.scenario }, place,
     el("figcaption", {}, el("h3", {}, caption),
       el("a", { href: replayLink(trials.slice(0, 4).map((t) => t.trial_id)) }, "replay"),
-      button("SVG", `Save ${caption} as SVG`, () => {
-        const picture = figure.querySelector<SVGElement>("svg.world");
-        if (picture) saveText("figure9.svg", "image/svg+xml", standaloneSvg(picture, caption));
-      })));
+      ...waysButtons(report, trials, "figure9", caption, () => figure.querySelector<SVGElement>("svg.world"))));
   whenSeen(figure, () => {
     void sceneDrawing(report, scene, trials, trials[0]?.planner ?? "", palette)
       .then((picture) => place.replaceWith(picture));

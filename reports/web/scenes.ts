@@ -1,11 +1,11 @@
 // One drawing per scenario and world: what is there, what was known of it at the end, and the ways.
 import { kGoal, Report, Trial, World } from "./data";
-import { button, el, fixed, nameOf, saveText, select, svg } from "./dom";
+import { button, el, fixed, nameOf, select, svg } from "./dom";
+import { waysButtons } from "./drawn_ways";
 import { outcomeSign, outcomeWords, Palette } from "./palette";
 import { replayLink } from "./links";
 import { Filter, keeps } from "./sample";
 import { extentOf, firstPerPlanner, Scene, scenesOf } from "./scene";
-import { standaloneSvg } from "./take_away";
 import { loadTrace, Trace } from "./trace";
 
 const kSide = 400;  // of the drawing, in its own units
@@ -151,15 +151,10 @@ function sceneCard(report: Report, scene: Scene, shown: Set<string>, mapOf: stri
                    palette: Palette): HTMLElement {
   const trials = firstPerPlanner(scene).filter((t) => shown.has(t.planner));
   const place = el("div", { class: "waiting" }, "drawing \u2026");
-  const card = el("figure", { "data-scene": scene.scenario },
+  const card: HTMLElement = el("figure", { "data-scene": scene.scenario },
     el("figcaption", {}, el("h3", {}, nameOf(scene.scenario)),
       el("a", { href: replayLink(trials.slice(0, 4).map((t) => t.trial_id)) }, "replay"),
-      button("SVG", "Save this drawing as SVG", () => {
-        const picture = card.querySelector<SVGElement>("svg.world");
-        if (picture) {
-          saveText("scene.svg", "image/svg+xml", standaloneSvg(picture, scene.scenario));
-        }
-      })),
+      ...waysButtons(report, trials, "scene", scene.scenario, () => card.querySelector<SVGElement>("svg.world"))),
     place,
     el("p", { class: "note" }, `${scene.vehicle}, repetition ${trials[0].repetition}`),
     el("ul", {}, ...trials.map((t) => trialLine(t, palette))));

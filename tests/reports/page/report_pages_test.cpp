@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 #include <fstream>
 
@@ -230,6 +231,19 @@ TEST_F(ReportPages, APlotIsTakenAwayWithItsTitleAndLegend) {
   EXPECT_EQ(session_->evaluate("window.saved.text().then(t => new DOMParser().parseFromString(t, "
                                "'image/svg+xml').querySelector('parsererror') === null)"),
             "true");
+
+  // The ways of a scene, as they are stored.
+  go_to("scenes");
+  session_->evaluate("delete window.saved");
+  session_->evaluate("document.querySelectorAll('#page-scenes figure button')[1].click()");
+  ASSERT_TRUE(session_->wait_for("window.saved !== undefined"));
+  const std::string csv = session_->evaluate("window.saved.text()");
+  EXPECT_THAT(csv, HasSubstr("trial_id,planner,outcome,time_s,x_m,y_m\r\n"));
+  std::size_t lines = 0;
+  for (const Trace& trace : run.traces) {
+    if (csv.find("\n" + trace.trial_id + ",") != std::string::npos) lines += trace.frames.size();
+  }
+  EXPECT_EQ(static_cast<std::size_t>(std::count(csv.begin(), csv.end(), '\n')), lines + 1);
 }
 
 // Threads that want a core now, besides this one (proc(5), loadavg).
