@@ -240,9 +240,13 @@ TEST_F(ReportPages, APlotIsTakenAwayWithItsTitleAndLegend) {
   const std::string csv = session_->evaluate("window.saved.text()");
   EXPECT_THAT(csv, HasSubstr("trial_id,planner,outcome,time_s,x_m,y_m\r\n"));
   std::size_t lines = 0;
+  std::size_t ways = 0;
   for (const Trace& trace : run.traces) {
-    if (csv.find("\n" + trace.trial_id + ",") != std::string::npos) lines += trace.frames.size();
+    if (csv.find("\n" + trace.trial_id + ",") == std::string::npos) continue;
+    lines += trace.frames.size();
+    ++ways;
   }
+  EXPECT_EQ(ways, 3U);  // one of each planner
   EXPECT_EQ(static_cast<std::size_t>(std::count(csv.begin(), csv.end(), '\n')), lines + 1);
 }
 
