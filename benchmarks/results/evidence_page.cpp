@@ -6,12 +6,15 @@
 #include <map>
 #include <tuple>
 
+#include "voronaut/reports/summary/barn_score.h"
 #include "voronaut/reports/summary/statistics.h"
 #include "voronaut/reports/summary/text_table.h"
 
 namespace voronaut {
 
 namespace {
+
+constexpr const char* kBarn = "barn";  // the group of those worlds, which have a score of their own
 
 std::string fixed(double value, int digits) {
   if (std::isnan(value)) return "-";
@@ -34,9 +37,11 @@ struct Tally {
   std::map<Outcome, std::int64_t> outcomes;
   double clearance_min_m = kAbsent;
   std::vector<double> path_ratios;  // of the trials that reached the goal
+  double barn_scores = 0;           // their sum
 
   void add(const RunRecord& record) {
     ++n;
+    barn_scores += barn_score(record);
     ++outcomes[record.outcome];
     clearance_min_m = std::fmin(clearance_min_m, record.clearance_min_m);
     if (!std::isnan(record.path_ratio)) path_ratios.push_back(record.path_ratio);
@@ -79,9 +84,12 @@ std::string table(const std::vector<RunRecord>& records) {
   for (const char* heading : {"n", "reached", "of 100", "collisions", "other", "clearance_min_m",
                               "path_ratio mean", "path_ratio 95 %"})
     result.columns.push_back({heading, Align::right});
+  const bool of_barn = tallies.size() > 0 && std::get<0>(tallies.begin()->first) == kBarn;
+  if (of_barn) result.columns.push_back({"BARN score", Align::right});
   for (const auto& [key, tally] : tallies) {
     std::vector<std::string> cells = {std::get<0>(key), std::get<1>(key), std::get<2>(key)};
     for (std::string& cell : row(tally)) cells.push_back(std::move(cell));
+    if (of_barn) cells.push_back(fixed(tally.barn_scores / static_cast<double>(tally.n), 3));
     result.rows.push_back(std::move(cells));
   }
   return result.markdown();
@@ -111,7 +119,8 @@ EvidencePage evidence_page(const std::vector<SuiteEvidence>& suites) {
   }
   page.markdown =
       "# Evidence\n\n`./quickstart evidence` flies the suites in "
-      "`benchmarks/suites/evidence/` and writes this page. Failures stay in every "
+      "`benchmarks/suites/evidence/`, and the `real-` ones where their data is at hand, and writes "
+      "this page. Failures stay in every "
       "denominator; \"of 100\" is Wilson's 95 % interval of those that reached the "
       "goal, the others are bootstrap intervals over arrivals.\n\n" +
       std::to_string(suites.size()) + " suites, " + std::to_string(all.n) + " flights, " +

@@ -48,5 +48,26 @@ TEST(EvidencePage, SaysWhichClaimIsBroken) {
   EXPECT_THAT(page.markdown, HasSubstr("- **broken**: every trial: collisions <= 0 % (1 of 10)\n"));
 }
 
+TEST(EvidencePage, GivesTheWorldsOfBarnTheirOwnScore) {
+  SuiteEvidence barn{"real-barn", "Courses", "abc", "2020-01-01T00:00:00Z", "d1", {}, {}};
+  RunRecord record;
+  record.scenario_group = "barn";
+  record.outcome = Outcome::goal_reached;
+  record.shortest_length_m = 10;  // 5 s at 2 m/s
+  record.duration_s = 20;
+  barn.records.push_back(record);  // 5 / 20
+  record.duration_s = 3;
+  barn.records.push_back(record);  // never more than 0.5
+  record.duration_s = 1000;
+  barn.records.push_back(record);  // never less than 1/8
+  record.outcome = Outcome::collision;
+  barn.records.push_back(record);  // 0
+  const EvidencePage page = evidence_page({barn});
+  EXPECT_THAT(page.markdown, HasSubstr("BARN score"));
+  EXPECT_THAT(page.markdown, HasSubstr("0.219 |"));
+  EXPECT_THAT(evidence_page({evidence(Outcome::stuck)}).markdown,
+              ::testing::Not(HasSubstr("BARN")));
+}
+
 }  // namespace
 }  // namespace voronaut
