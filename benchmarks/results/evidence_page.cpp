@@ -119,7 +119,7 @@ EvidencePage evidence_page(const std::vector<SuiteEvidence>& suites) {
   }
   page.markdown =
       "# Evidence\n\n`./quickstart evidence` flies the suites in "
-      "`benchmarks/suites/evidence/`, and the `real-` ones where their data is at hand, and writes "
+      "`benchmarks/suites/evidence/`, and the `real-` ones where VORONAUT_DATA is set, and writes "
       "this page. Failures stay in every "
       "denominator; \"of 100\" is Wilson's 95 % interval of those that reached the "
       "goal, the others are bootstrap intervals over arrivals.\n\n" +
