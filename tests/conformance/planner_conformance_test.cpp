@@ -4,6 +4,7 @@
 
 #include <ompl/geometric/planners/rrt/RRTConnect.h>
 #include <ompl/geometric/planners/rrt/RRTstar.h>
+#include <ompl/util/RandomNumbers.h>
 
 #include "voronaut/planners/potential_field/potential_field.h"
 #include "voronaut/planners/reactive_voronoi/reactive_voronoi.h"
@@ -11,6 +12,13 @@
 
 namespace voronaut::test {
 namespace {
+
+// OMPL seeds itself from the clock, and a planner that samples fails a test now and then.
+class OneSeed : public ::testing::Environment {
+ public:
+  void SetUp() override { ompl::RNG::setSeed(1); }
+};
+[[maybe_unused]] const auto* const kOneSeed = ::testing::AddGlobalTestEnvironment(new OneSeed);
 
 template <class Planner>
 ompl::base::PlannerPtr make(const ompl::base::SpaceInformationPtr& si) {
