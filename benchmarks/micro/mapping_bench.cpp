@@ -164,10 +164,11 @@ void register_lidar(const std::string& data) {
 
 void stage_read(benchmark::State& state) {
   const std::vector<MeasuredScan> scans = forest_scans(static_cast<std::size_t>(state.range(0)));
-  ScanReturns returns(ObstacleBaseConfig{}.thinning_distance_m);
+  const ObstacleBaseConfig config;
+  ScanReturns returns(config.thinning_distance_m, config.link_distance_m);
   std::size_t i = 0;
   for (auto _ : state)
-    returns.read(scans[i++ % scans.size()].scan, [](std::size_t, PackedPoint) {});
+    returns.read(scans[i++ % scans.size()].scan, [](PackedPoint, const auto&) {});
 }
 BENCHMARK(stage_read)->Name("mapping/stage/read_returns")->ArgName("rays")->Arg(181)->Arg(720);
 
@@ -175,9 +176,10 @@ void stage_cluster(benchmark::State& state) {
   const std::vector<MeasuredScan> scans = forest_scans(static_cast<std::size_t>(state.range(0)));
   const ObstacleBaseConfig config;
   ScanClusterer clusterer(config.link_distance_m, config.thinning_distance_m);
-  std::vector<ScanReturns> returns(scans.size(), ScanReturns(clusterer.listing_distance_m()));
+  std::vector<ScanReturns> returns(
+      scans.size(), ScanReturns(clusterer.listing_distance_m(), clusterer.jump_distance_m()));
   for (std::size_t i = 0; i < scans.size(); ++i)
-    returns[i].read(scans[i].scan, [](std::size_t, PackedPoint) {});
+    returns[i].read(scans[i].scan, [](PackedPoint, const auto&) {});
   std::size_t i = 0;
   for (auto _ : state) clusterer.cluster(returns[i++ % returns.size()]);
 }

@@ -54,7 +54,7 @@ void ClusterBase::append(ClusterId id, PointId point, std::span<const Vec2> poin
     grow_to_hold(cluster.box, p);
   }
   cluster.last = point;
-  add_to_convex_hull(cluster.hull, p);
+  add_to_convex_hull(cluster.hull, p, cluster.newest_vertex);
   boxes_.place(id, cluster.box);
   mark_changed(id);
 }

@@ -47,6 +47,8 @@ class ClusterBase {
     while (merged_into_[id] != id) id = merged_into_[id];
     return id;
   }
+  // The cluster that a point was stored in, living or not.
+  ClusterId label(PointId point) const { return label_[point]; }
   ClusterId cluster_of(PointId point) const { return living_id(label_[point]); }
 
   // The following take any id and answer for the living cluster it stands for.
@@ -65,6 +67,7 @@ class ClusterBase {
     bool changed = false;
     Bounds box;
     std::vector<Vec2> hull;
+    std::size_t newest_vertex = 0;  // of the hull, while no other cluster joined it
   };
 
   ClusterId component_of(ClusterId id) const;

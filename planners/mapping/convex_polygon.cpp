@@ -4,6 +4,7 @@
 #include <cstddef>
 
 #include "voronaut/planners/mapping/orientation.h"
+#include "voronaut/planners/mapping/packed_point.h"
 
 namespace voronaut {
 namespace {
@@ -77,23 +78,24 @@ bool add_to_small_hull(std::vector<Vec2>& hull, const Vec2& p) {
 
 // The edges that see p from outside, or that p prolongs, are next to each other: p replaces the
 // vertices between them.
-bool add_to_convex_hull(std::vector<Vec2>& hull, const Vec2& p) {
+bool add_to_convex_hull(std::vector<Vec2>& hull, const Vec2& p, std::size_t& vertex) {
   const std::size_t n = hull.size();
   if (n < 3) return add_to_small_hull(hull, p);
   // Edge i goes from vertex i - 1 to vertex i.
   const auto turn_at_edge = [&](std::size_t i) {
     return orientation(hull[i == 0 ? n - 1 : i - 1], hull[i], p);
   };
-  std::size_t first = 0;
-  while (first < n && turn_at_edge(first) >= 0) ++first;
-  if (first == n) return false;
+  const auto next = [n](std::size_t i) { return i + 1 == n ? 0 : i + 1; };
+  std::size_t first = vertex < n ? vertex : 0;
+  for (std::size_t asked = 0; turn_at_edge(first) >= 0; first = next(first)) {
+    if (++asked == n) return false;
+  }
   std::size_t last = first;
-  while (turn_at_edge(last + 1 == n ? 0 : last + 1) <= 0) last = last + 1 == n ? 0 : last + 1;
-  // An edge before the first one that sees p can belong to the chain if it is p's prolongation, or
-  // if the chain passes over vertex 0.
+  while (turn_at_edge(next(last)) <= 0) last = next(last);
   while (turn_at_edge(first == 0 ? n - 1 : first - 1) <= 0) first = first == 0 ? n - 1 : first - 1;
   const auto at = [&hull](std::size_t i) { return hull.begin() + static_cast<std::ptrdiff_t>(i); };
   // Vertices first .. last - 1 fall, counted around the polygon; p takes the place of the first.
+  vertex = first;
   if (first == last) {
     hull.insert(at(first), p);
   } else if (first < last) {
@@ -103,26 +105,26 @@ bool add_to_convex_hull(std::vector<Vec2>& hull, const Vec2& p) {
     hull.resize(first);
     hull.push_back(p);
     hull.erase(hull.begin(), at(last));
+    vertex -= last;
   }
   // Only p or the loss of vertex 0 can have changed which vertex is the smallest.
   if (first <= last && first != 0 && lexicographically_less(hull[0], p)) return true;
-  std::rotate(hull.begin(), std::min_element(hull.begin(), hull.end(), lexicographically_less),
-              hull.end());
+  const auto smallest = std::min_element(hull.begin(), hull.end(), lexicographically_less);
+  const auto before = static_cast<std::size_t>(smallest - hull.begin());
+  vertex = vertex >= before ? vertex - before : vertex + hull.size() - before;
+  std::rotate(hull.begin(), smallest, hull.end());
   return true;
 }
 
 Bounds bounding_box(std::span<const Vec2> points) {
-  double min_x = points.front().x();
-  double min_y = points.front().y();
-  double max_x = min_x;
-  double max_y = min_y;
-  for (const Vec2& p : points) {
-    min_x = std::min(p.x(), min_x);
-    min_y = std::min(p.y(), min_y);
-    max_x = std::max(p.x(), max_x);
-    max_y = std::max(p.y(), max_y);
+  PackedPoint min = packed(points.front());
+  PackedPoint max = min;
+  for (const Vec2& at : points) {
+    const PackedPoint p = packed(at);
+    min = p < min ? p : min;
+    max = p > max ? p : max;
   }
-  return {{min_x, min_y}, {max_x, max_y}};
+  return {{min[0], min[1]}, {max[0], max[1]}};
 }
 
 bool convex_polygons_touch(std::span<const Vec2> a, std::span<const Vec2> b) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cstddef>
 #include <span>
 #include <vector>
 
@@ -14,8 +15,9 @@ namespace voronaut {
 // O(n log n).
 void reduce_to_convex_hull(std::vector<Vec2>& points);
 
-// Adds one point to a hull of that form, in place. True if it became a vertex. O(n).
-bool add_to_convex_hull(std::vector<Vec2>& hull, const Vec2& p);
+// Adds one point to a hull of that form, in place. True if it became a vertex. O(n), less if it
+// lies near `vertex`, an index into the hull or anything: that is set to where the point went.
+bool add_to_convex_hull(std::vector<Vec2>& hull, const Vec2& p, std::size_t& vertex);
 
 inline double distance_sq(const Vec2& a, const Vec2& b) {
   const double x = a.x() - b.x();

@@ -36,7 +36,7 @@ const ObstacleBaseConfig& checked(const ObstacleBaseConfig& config) {
 ObstacleBase::ObstacleBase(const ObstacleBaseConfig& config)
     : config_(checked(config)),
       clusterer_(config.link_distance_m, config.thinning_distance_m),
-      returns_(clusterer_.listing_distance_m()),
+      returns_(clusterer_.listing_distance_m(), clusterer_.jump_distance_m()),
       points_(config.thinning_distance_m),
       clusters_(config.merge_distance_m) {}
 
@@ -70,27 +70,26 @@ void ObstacleBase::read_and_represent(const Scan& scan) {
   Representative* change = representatives_.data();
   PackedPoint current = packed(Vec2::Constant(std::numeric_limits<double>::infinity()));
   std::size_t follower = 0;
-  returns_.read(scan, [&, this](std::size_t i, PackedPoint p) {
+  returns_.read(scan, [&, this](PackedPoint p, const auto& index) {
     if (distance_sq(p, current) < thinning_sq) return;
-    Representative next{static_cast<std::uint32_t>(i), followed_by_[follower], false};
+    Known next{followed_by_[follower], false};
     if (next.point == PointIndex::kNone ||
         !(distance_sq(p, packed(points_[next.point])) < thinning_sq)) {
-      find_or_store(Vec2{p[0], p[1]}, next);
+      next = find_or_store(Vec2{p[0], p[1]});
       followed_by_[follower] = next.point;
     }
     current = packed(points_[next.point]);
     follower = std::size_t{next.point} + 1;
-    *change++ = next;
+    *change++ = {index(), next.point, next.stored_now};
   });
   representative_count_ = static_cast<std::size_t>(change - representatives_.data());
 }
 
-void ObstacleBase::find_or_store(const Vec2& p, Representative& representative) {
-  representative.point = points_.nearest_closer_than(p, config_.thinning_distance_m);
-  if (representative.point != PointIndex::kNone) return;
-  representative.point = points_.add(p);
-  representative.stored_now = true;
+ObstacleBase::Known ObstacleBase::find_or_store(const Vec2& p) {
+  const PointId nearest = points_.nearest_closer_than(p, config_.thinning_distance_m);
+  if (nearest != PointIndex::kNone) return {nearest, false};
   followed_by_.push_back(PointIndex::kNone);
+  return {points_.add(p), true};
 }
 
 // Stage 3: which clusters of the scan have stored points in common with known clusters, or with
@@ -109,12 +108,12 @@ void ObstacleBase::join_scan_clusters(PointId first_new) {
     if (next == end || next->from_return != run.begin) {
       join(run.cluster, {run.begin, next[-1].point, false}, first_new);
     }
-    ClusterId same = kNoCluster;  // as of the representative before
+    ClusterId same = kNoCluster;  // the label of the representative before
     for (; next != end && next->from_return < run.end; ++next) {
       if (next->point < first_new) {
-        const ClusterId known = clusters_.cluster_of(next->point);
-        if (known == same) continue;
-        same = known;
+        const ClusterId label = clusters_.label(next->point);
+        if (label == same) continue;
+        same = label;
       }
       join(run.cluster, *next, first_new);
     }

@@ -84,6 +84,10 @@ class ObstacleBase {
     PointId point = 0;
     bool stored_now = false;
   };
+  struct Known {
+    PointId point = 0;
+    bool stored_now = false;
+  };
   struct NewPoint {
     PointId point = 0;
     std::uint32_t scan_cluster = 0;
@@ -92,7 +96,7 @@ class ObstacleBase {
 
   std::uint64_t version() const { return points_at_version_.size() - 1; }
   void read_and_represent(const Scan& scan);
-  [[gnu::noinline]] void find_or_store(const Vec2& p, Representative& representative);
+  [[gnu::noinline]] Known find_or_store(const Vec2& p);
   void join_scan_clusters(PointId first_new);
   void join(std::uint32_t scan_cluster, const Representative& representative, PointId first_new);
   void append_new_points();

@@ -125,12 +125,15 @@ PointId PointIndex::nearest_in(const Reach& within, const Vec2& p, double limit_
 }
 
 PointId PointIndex::nearest_closer_than(const Vec2& p, double distance_m) const {
-  return nearest_in(reach(p, p, distance_m), p, distance_m * distance_m);
+  const double margin_m = distance_m * kRoundingMargin;
+  const Reach around{cells_.cell_of(p.x() - margin_m, p.y() - margin_m),
+                     cells_.cell_of(p.x() + margin_m, p.y() + margin_m)};
+  return nearest_in(around, p, distance_m * distance_m);
 }
 
 PointId PointIndex::nearest(const Vec2& p, double within_m) const {
   for (double reach_m = kFirstReachCells * cells_.cell_m(); reach_m < within_m; reach_m *= 2) {
-    const PointId id = nearest_closer_than(p, reach_m);
+    const PointId id = nearest_in(reach(p, p, reach_m), p, reach_m * reach_m);
     if (id != kNone || reaches_all_points(p, reach_m)) return id;
   }
   // Not farther than within_m is closer than the next larger number.

@@ -26,29 +26,29 @@ void ScanClusterer::cluster(const ScanReturns& returns) {
   list_clusters(returns);
 }
 
-// Only a listed return can begin a run: the others are closer than half the link distance to the
-// listed one before them, and so are those between.
+// Only a jump can begin a run: the return before a listed one is closer than the listing distance
+// to the one listed before, and so are those between.
 void ScanClusterer::split_into_runs(const ScanReturns& returns) {
   const std::span<const Vec2> points = returns.points_world();
   const std::span<const std::uint32_t> listed = returns.listed();
   const double link_sq = link_distance_m_ * link_distance_m_;
-  const auto count = static_cast<std::uint32_t>(listed.size());
   runs_.clear();
   listed_world_ = returns.listed_world();
-  if (count > gathered_world_.size()) gathered_world_.resize(count);
-  if (count == 0) return;
-  Run* run = &runs_.emplace_back();
-  for (std::uint32_t k = 1; k < count; ++k) {
+  if (listed.size() > gathered_world_.size()) gathered_world_.resize(listed.size());
+  for (const std::uint32_t k : returns.jumps()) {
     const std::uint32_t i = listed[k];
-    if (distance_sq(points[i], points[i - 1]) < link_sq) continue;
-    run->end = i;
-    run->listed_end = k;
-    run = &runs_.emplace_back();
-    run->begin = i;
-    run->listed_begin = k;
+    if (k > 0) {
+      if (distance_sq(points[i], points[i - 1]) < link_sq) continue;
+      runs_.back().end = i;
+      runs_.back().listed_end = k;
+    }
+    Run& run = runs_.emplace_back();
+    run.begin = i;
+    run.listed_begin = k;
   }
-  run->end = static_cast<std::uint32_t>(points.size());
-  run->listed_end = count;
+  if (runs_.empty()) return;
+  runs_.back().end = static_cast<std::uint32_t>(points.size());
+  runs_.back().listed_end = static_cast<std::uint32_t>(listed.size());
 }
 
 // Listed returns decide mostly. Each stands for the returns up to the next listed one, all closer

@@ -30,8 +30,10 @@ class ScanClusterer {
   // How returns must be thinned for it: at the thinning distance, and not at more than half of the
   // link distance, so that a return left out is linked to those around it.
   double listing_distance_m() const { return listing_distance_m_; }
+  // Listed returns closer than this leave no room between them for two that are not linked.
+  double jump_distance_m() const { return link_distance_m_ - listing_distance_m_; }
 
-  // `returns` are thinned at listing_distance_m().
+  // `returns` are thinned at listing_distance_m() and jump at jump_distance_m().
   void cluster(const ScanReturns& returns);
 
   std::span<const Run> runs() const { return runs_; }

@@ -18,6 +18,7 @@ void ScanReturns::begin(const Scan& scan) {
   beams_in_scan_ = n;
   full_circle_ = scan.beams->full_circle();
   invalid_ = 0;
+  jumps_.clear();
 }
 
 void ScanReturns::set_edges(const Scan& scan) {

@@ -17,10 +17,12 @@ namespace voronaut {
 // read().
 class ScanReturns {
  public:
-  explicit ScanReturns(double thinning_distance_m) : thinning_distance_m_(thinning_distance_m) {}
+  // jump_distance_m >= thinning_distance_m.
+  ScanReturns(double thinning_distance_m, double jump_distance_m)
+      : thinning_distance_m_(thinning_distance_m), jump_distance_m_(jump_distance_m) {}
 
-  // O(beams). The scan's ranges and beams must be equally many. Calls visit(i, p_world) for each
-  // return i as it is read.
+  // O(beams). The scan's ranges and beams must be equally many. Calls visit(p_world, index) for
+  // each return as it is read; index() is its number.
   template <class Visit>
   void read(const Scan& scan, Visit visit);
 
@@ -29,6 +31,9 @@ class ScanReturns {
   std::span<const std::uint32_t> beams() const { return {beam_.data(), count_}; }
   // The returns that are not closer than the thinning distance to the one listed before them.
   std::span<const std::uint32_t> listed() const { return {listed_.data(), listed_count_}; }
+  // Of the listed ones, which are not closer than the jump distance to the one listed before them;
+  // the first of all is one.
+  std::span<const std::uint32_t> jumps() const { return jumps_; }
   std::span<const Vec2> listed_world() const { return {listed_world_.data(), listed_count_}; }
 
   std::size_t beams_in_scan() const { return beams_in_scan_; }
@@ -44,10 +49,12 @@ class ScanReturns {
   void set_edges(const Scan& scan);
 
   double thinning_distance_m_;
+  double jump_distance_m_;
   std::vector<Vec2> point_world_;  // the first count_ of each hold this scan
   std::vector<std::uint32_t> beam_;
   std::vector<std::uint32_t> listed_;
   std::vector<Vec2> listed_world_;
+  std::vector<std::uint32_t> jumps_;
   std::size_t count_ = 0;
   std::size_t listed_count_ = 0;
   std::size_t beams_in_scan_ = 0;
@@ -68,32 +75,36 @@ void ScanReturns::read(const Scan& scan, Visit visit) {
   const std::uint64_t miss = bits(scan.max_range_m);
   const PackedFrame sensor(scan.sensor_world);
   const double thinning_sq = thinning_distance_m_ * thinning_distance_m_;
+  const double jump_sq = jump_distance_m_ * jump_distance_m_;
   const auto missed = [&](std::size_t i) { return bits(range_m[i]) == miss; };
   PackedPoint last_listed = packed(Vec2::Constant(std::numeric_limits<double>::infinity()));
-  Vec2* const point = point_world_.data();
-  std::uint32_t* const beam = beam_.data();
-  std::uint32_t* const listed = listed_.data();
-  Vec2* const listed_world = listed_world_.data();
-  std::size_t count = 0;
-  std::size_t listed_count = 0;
+  Vec2* point = point_world_.data();
+  std::uint32_t* beam = beam_.data();
+  std::uint32_t* listed = listed_.data();
+  Vec2* listed_world = listed_world_.data();
   for (std::size_t i = 0; i < n;) {
     while (i + 4 <= n && missed(i) && missed(i + 1) && missed(i + 2) && missed(i + 3)) i += 4;
     while (i < n && missed(i)) ++i;
     for (; i < n && bits(range_m[i]) - 1 < miss - 1; ++i) {
       const PackedPoint p = sensor.at(direction[i], range_m[i]);
-      store(p, point[count]);
-      beam[count] = static_cast<std::uint32_t>(i);
-      if (!(distance_sq(p, last_listed) < thinning_sq)) {
+      const auto index = [&] { return static_cast<std::uint32_t>(point - point_world_.data()); };
+      store(p, *point);
+      *beam++ = static_cast<std::uint32_t>(i);
+      const double apart_sq = distance_sq(p, last_listed);
+      if (!(apart_sq < thinning_sq)) {
+        if (!(apart_sq < jump_sq))
+          jumps_.push_back(static_cast<std::uint32_t>(listed - listed_.data()));
         last_listed = p;
-        listed[listed_count] = static_cast<std::uint32_t>(count);
-        store(p, listed_world[listed_count++]);
+        *listed++ = index();
+        store(p, *listed_world++);
       }
-      visit(count++, p);
+      visit(p, index);
+      ++point;
     }
     for (; i < n && bits(range_m[i]) - 1 > miss - 1; ++i) ++invalid_;
   }
-  count_ = count;
-  listed_count_ = listed_count;
+  count_ = static_cast<std::size_t>(point - point_world_.data());
+  listed_count_ = static_cast<std::size_t>(listed - listed_.data());
   set_edges(scan);
 }
 
