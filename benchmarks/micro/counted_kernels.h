@@ -2,30 +2,22 @@
 
 #include <cstddef>
 #include <functional>
-#include <memory>
 #include <string>
 #include <vector>
 
-namespace voronaut::micro {
+#include "voronaut/benchmarks/micro/counted_work.h"
 
-// Something whose instructions are counted. Only run() is counted: the driver calls it through
-// voronaut_counted, the function that callgrind is told to collect in.
-class CountedWork {
- public:
-  virtual ~CountedWork() = default;
-  // Prepares the next run, uncounted; false at the end.
-  virtual bool prepare() = 0;
-  // Returns how many operations it did.
-  virtual std::size_t run() = 0;
-};
+namespace voronaut::micro {
 
 struct CountedKernel {
   std::string name;
   std::string operation;      // what one operation is
   double limit_instructions;  // per operation, on the average: more is a regression
-  double goal_instructions;   // what is aimed at; the limit follows as it is approached
-  std::function<std::unique_ptr<CountedWork>()> make;
+  double goal_instructions;   // what is aimed at, 0: nothing; the limit follows as it is approached
+  std::function<CountedWorkPtr()> make;
   bool takes_minutes = false;  // counted on demand only
+  bool each_run = false;       // single runs are counted, and their tail is limited
+  double known_scans = 0;      // before the counted ones, if it is a kernel of growth
 };
 
 const std::vector<CountedKernel>& counted_kernels();

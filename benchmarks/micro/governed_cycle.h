@@ -2,7 +2,7 @@
 
 #include <memory>
 
-#include "voronaut/benchmarks/micro/counted_kernels.h"
+#include "voronaut/benchmarks/micro/counted_work.h"
 
 namespace voronaut::micro {
 

@@ -55,5 +55,26 @@ void closed_loop(benchmark::State& state) {
 }
 BENCHMARK(closed_loop)->Arg(91)->Arg(181)->Unit(benchmark::kMillisecond);
 
+// The quadrotor's model and its regulator, turn and turn about, to a target 3 m away and back.
+void vehicle_step(benchmark::State& state) {
+  const VehicleSpec spec = vehicle("quadrotor");
+  const std::unique_ptr<Model> model = make_model(spec.model);
+  const auto law = make_regulator(regulator(spec.regulator), spec);
+  VehicleState at = model->at_rest(Vec3(0, 0, 1), Vec2(1, 0));
+  Command command = model->hold();
+  law->reset(at);
+  Setpoint setpoint;
+  setpoint.speed_limit_m_s = 2;
+  const bool regulated = state.range(0) == 1;
+  std::size_t steps = 0;
+  for (auto _ : state) {
+    setpoint.p_target_world = Vec3(++steps / 200 % 2 == 0 ? 3 : 0, 0, 1);
+    if (regulated) command = law->regulate(setpoint, at);
+    at = model->step(at, command, 0.01);
+    benchmark::DoNotOptimize(at);
+  }
+}
+BENCHMARK(vehicle_step)->Name("vehicle/step")->ArgName("regulated")->Arg(0)->Arg(1);
+
 }  // namespace
 }  // namespace voronaut::micro

@@ -1,18 +1,21 @@
-#include <array>
+#include <cmath>
 #include <cstdio>
-#include <cstdlib>
 #include <memory>
-#include <regex>
 #include <string>
+#include <vector>
 
+#include "voronaut/benchmarks/micro/callgrind_count.h"
 #include "voronaut/benchmarks/micro/counted_kernels.h"
 
 // Counts the instructions of every kernel with callgrind and fails where one takes more than its
-// limit. Exit codes: 0 all within, 1 some above, 2 wrong use or valgrind failed, 77 no valgrind.
+// limit, where single scans take too many times the median, or where scans cost more the more is
+// known. Exit codes: 0 all within, 1 some above, 2 wrong use or valgrind failed, 77 no valgrind.
 namespace voronaut::micro {
 namespace {
 
 constexpr int kSkipped = 77;
+constexpr double kLargestTailRatio = 8;          // 99th percentile of single runs to their median
+constexpr double kLargestGrowthExponent = 0.05;  // of the median with what is known
 
 int run_kernel(const std::string& name) {
   for (const CountedKernel& kernel : counted_kernels()) {
@@ -27,50 +30,69 @@ int run_kernel(const std::string& name) {
   return 2;
 }
 
-std::string output_of(const std::string& command) {
-  FILE* const pipe = popen(command.c_str(), "r");
-  if (pipe == nullptr) return {};
-  std::string output;
-  std::array<char, 4096> part;
-  while (std::fgets(part.data(), part.size(), pipe) != nullptr) output += part.data();
-  pclose(pipe);
-  return output;
-}
+// Of what grows: cost at size, fitted by least squares in logarithms.
+class Growth {
+ public:
+  void add(double size, double cost) {
+    log_size_.push_back(std::log(size));
+    log_cost_.push_back(std::log(cost));
+  }
+  std::size_t sizes() const { return log_size_.size(); }
+  double exponent() const {
+    const auto n = static_cast<double>(sizes());
+    double x = 0, y = 0, xx = 0, xy = 0;
+    for (std::size_t i = 0; i < sizes(); ++i) {
+      x += log_size_[i];
+      y += log_cost_[i];
+      xx += log_size_[i] * log_size_[i];
+      xy += log_size_[i] * log_cost_[i];
+    }
+    return (n * xy - x * y) / (n * xx - x * x);
+  }
 
-double number_after(const std::string& text, const std::string& words) {
-  std::smatch match;
-  return std::regex_search(text, match, std::regex(words + " *([0-9]+)")) ? std::stod(match[1]) : 0;
+ private:
+  std::vector<double> log_size_;
+  std::vector<double> log_cost_;
+};
+
+bool report(const CountedKernel& kernel, const CallgrindCount& count) {
+  const double each = count.per_operation();
+  bool within = each <= kernel.limit_instructions;
+  std::printf("%-24s %12.1f %8.0f %8.0f   %s%s\n", kernel.name.c_str(), each,
+              kernel.limit_instructions, kernel.goal_instructions, kernel.operation.c_str(),
+              within ? "" : "   ABOVE");
+  if (!count.runs.empty()) {
+    const double tail_ratio = count.quantile(0.99) / count.quantile(0.5);
+    const bool tail_within = tail_ratio <= kLargestTailRatio;
+    std::printf("%-24s single runs: median %.0f, p99 %.0f, largest %.0f; p99 / median %.1f%s\n", "",
+                count.quantile(0.5), count.quantile(0.99), count.runs.back(), tail_ratio,
+                tail_within ? "" : "   ABOVE");
+    within = within && tail_within;
+  }
+  std::fflush(stdout);
+  return within;
 }
 
 int check(const std::string& self, bool all) {
-  if (std::system("valgrind --version > /dev/null 2>&1") != 0) {
+  if (!valgrind_is_there()) {
     std::puts("skipped: valgrind not found, no instructions counted");
     return kSkipped;
   }
-  int above = 0;
+  bool within = true;
+  Growth growth;
   std::printf("%-24s %12s %8s %8s   per\n", "kernel", "instructions", "limit", "goal");
   for (const CountedKernel& kernel : counted_kernels()) {
     if (kernel.takes_minutes && !all) continue;
-    const std::string output = output_of(
-        "valgrind --tool=callgrind --callgrind-out-file=/dev/null "
-        "--toggle-collect=voronaut_counted '" +
-        self + "' --kernel " + kernel.name + " 2>&1");
-    const double operations = number_after(output, "operations");
-    const double collected = number_after(output, "Collected :");
-    if (operations == 0 || collected == 0) {
-      std::fprintf(stderr, "voronaut-micro-check: %s was not counted:\n%s", kernel.name.c_str(),
-                   output.c_str());
-      return 2;
-    }
-    const double each = collected / operations;
-    const bool within = each <= kernel.limit_instructions;
-    above += within ? 0 : 1;
-    std::printf("%-24s %12.1f %8.0f %8.0f   %s%s\n", kernel.name.c_str(), each,
-                kernel.limit_instructions, kernel.goal_instructions, kernel.operation.c_str(),
-                within ? "" : "   ABOVE");
-    std::fflush(stdout);
+    const auto count = count_instructions(self, kernel.name, kernel.each_run);
+    if (!count) return 2;
+    within = report(kernel, *count) && within;
+    if (kernel.known_scans > 0) growth.add(kernel.known_scans, count->quantile(0.5));
   }
-  return above > 0 ? 1 : 0;
+  const bool flat = growth.exponent() <= kLargestGrowthExponent;
+  std::printf(
+      "median scan over %zu amounts of known scans: grows with exponent %.3f (limit %.2f)%s\n",
+      growth.sizes(), growth.exponent(), kLargestGrowthExponent, flat ? "" : "   ABOVE");
+  return within && flat ? 0 : 1;
 }
 
 }  // namespace

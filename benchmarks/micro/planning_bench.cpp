@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 #include <ctime>
 #include <map>
 #include <span>
@@ -10,6 +11,7 @@
 #include <ompl/util/RandomNumbers.h>
 
 #include "voronaut/benchmarks/micro/replan_course.h"
+#include "voronaut/environments/random.h"
 #include "voronaut/planners/navigation/plan_request.h"
 #include "voronaut/planners/navigation/shortcut.h"
 #include "voronaut/planners/voronoi/voronoi_router.h"
@@ -125,6 +127,32 @@ void replan_parts(benchmark::State& state, const std::string& family) {
     count_times(state, std::move(times_us));
   }
 }
+
+// The diagram of random points, 0.1 per square metre, built at once.
+void voronoi_build(benchmark::State& state) {
+  const auto sites = static_cast<std::size_t>(state.range(0));
+  const double half_m = 0.5 * std::sqrt(static_cast<double>(sites) / 0.1);
+  Random random(8);
+  std::vector<Vec2> points;
+  while (points.size() < sites)
+    points.emplace_back(random.uniform(-half_m, half_m), random.uniform(-half_m, half_m));
+  const Bounds bounds{Vec2::Constant(-half_m), Vec2::Constant(half_m)};
+  for (auto _ : state) {
+    VoronoiRouter router;
+    router.observe(points, bounds, 0.4, {});
+    benchmark::DoNotOptimize(&router.graph());
+  }
+  state.SetComplexityN(state.range(0));
+}
+BENCHMARK(voronoi_build)
+    ->Name("voronoi/build")
+    ->ArgName("sites")
+    ->Arg(30)
+    ->Arg(100)
+    ->Arg(1000)
+    ->Arg(10'000)
+    ->Unit(benchmark::kMicrosecond)
+    ->Complexity();
 
 const char* const kForest = "{name: forest, density_per_m2: 0.15}";
 const char* const kRooms = "{name: rooms}";
