@@ -1,5 +1,7 @@
 #include "voronaut/planners/problem/fcl_validity_checker.h"
 
+#include <cstdio>
+
 #include <gtest/gtest.h>
 #include <ompl/base/ScopedState.h>
 #include <ompl/base/spaces/RealVectorStateSpace.h>
@@ -93,6 +95,48 @@ TEST(FclValidityChecker, AgreesWithTheCellListOnRandomStatesAndMotions) {
   EXPECT_GT(free_motions, 1000);
   EXPECT_LT(free_motions, 9000);
   EXPECT_LT(too_close, 1000);
+}
+
+// Half states, half motions; where they disagree, the limit must be within the stated tolerance of
+// 1e-6 m, or the place within the point spheres of 1 cm that FCL takes for points.
+TEST(FclValidityChecker, DisagreesInAMillionQueriesOnlyWithinItsTolerance) {
+  constexpr std::uint64_t kSeed = 32;
+  PlanarRandom random(kSeed);
+  TwoOpinions two;
+  ob::ScopedState<> state(two.si);
+  int queries = 0;
+  int clear = 0;
+  int disagreements = 0;
+  for (int world = 0; world < 1000; ++world) {
+    std::vector<Vec2> points;
+    for (int i = 0; i < 30; ++i) points.push_back(random.point(0, 10));
+    const auto base = base_of(points);
+    const Vec2 start = random.point(0, 10);
+    two.look_at(base->snapshot(), start);
+    for (int query = 0; query < 500; ++query) {
+      const Vec2 a = query % 5 == 0 ? start : random.point(0, 10);
+      const Vec2 b = a + random.point(-2, 2);
+      const bool motion_is_clear = two.cells.motion_is_clear(a, b);
+      set_position(*two.si->getStateSpace(), state.get(), a);
+      const bool state_is_valid = two.cells.isValid(state.get());
+      queries += 2;
+      clear += motion_is_clear + state_is_valid;
+      if (motion_is_clear != two.fcl.motion_is_clear(a, b)) {
+        ++disagreements;
+        EXPECT_TRUE(is_too_close_to_call(points, start, a, b)) << world << " " << query;
+      }
+      if (state_is_valid != two.fcl.isValid(state.get())) {
+        ++disagreements;
+        EXPECT_TRUE(is_too_close_to_call(points, start, a, a)) << world << " " << query;
+      }
+    }
+  }
+  EXPECT_EQ(queries, 1'000'000);
+  EXPECT_GT(clear, 200'000);
+  EXPECT_LT(clear, 800'000);
+  RecordProperty("disagreements", disagreements);
+  std::printf("%d queries, %d clear, %d disagreements, all within %g m of the limit\n", queries,
+              clear, disagreements, FclValidityChecker::kTolerance_m);
 }
 
 TEST(FclValidityChecker, FreesAllWithinBoundsBeforeAnythingIsKnown) {
