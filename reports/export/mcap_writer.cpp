@@ -8,12 +8,12 @@ namespace {
 constexpr std::string_view kMagic("\x89MCAP0\r\n", 8);
 
 enum Opcode : std::uint8_t {
-  kHeader = 0x01,
-  kFooter = 0x02,
-  kSchema = 0x03,
-  kChannel = 0x04,
-  kMessage = 0x05,
-  kDataEnd = 0x0f,
+  op_header = 0x01,
+  op_footer = 0x02,
+  op_schema = 0x03,
+  op_channel = 0x04,
+  op_message = 0x05,
+  op_data_end = 0x0f,
 };
 
 // Little endian.
@@ -34,7 +34,7 @@ McapWriter::McapWriter(std::string_view library) : bytes_(kMagic) {
   std::string content;
   put_text(content, "");  // no profile
   put_text(content, library);
-  add_record(kHeader, content);
+  add_record(op_header, content);
 }
 
 std::uint16_t McapWriter::add_schema(std::string_view name, std::string_view json_schema) {
@@ -43,7 +43,7 @@ std::uint16_t McapWriter::add_schema(std::string_view name, std::string_view jso
   put_text(content, name);
   put_text(content, "jsonschema");
   put_text(content, json_schema);
-  add_record(kSchema, content);
+  add_record(op_schema, content);
   return schemas_;
 }
 
@@ -54,7 +54,7 @@ std::uint16_t McapWriter::add_json_channel(std::uint16_t schema, std::string_vie
   put_text(content, topic);
   put_text(content, "json");
   put(content, std::uint32_t{0});  // no metadata
-  add_record(kChannel, content);
+  add_record(op_channel, content);
   return channels_;
 }
 
@@ -65,18 +65,18 @@ void McapWriter::add_message(std::uint16_t channel, std::uint64_t time_ns, std::
   put(content, time_ns);  // logged
   put(content, time_ns);  // published
   content += json;
-  add_record(kMessage, content);
+  add_record(op_message, content);
 }
 
 std::string McapWriter::finish() && {
   std::string end;
   put(end, std::uint32_t{0});
-  add_record(kDataEnd, end);
+  add_record(op_data_end, end);
   std::string footer;
   put(footer, std::uint64_t{0});  // no summary
   put(footer, std::uint64_t{0});
   put(footer, std::uint32_t{0});
-  add_record(kFooter, footer);
+  add_record(op_footer, footer);
   bytes_ += kMagic;
   return std::move(bytes_);
 }
