@@ -74,6 +74,7 @@ struct Flight {
   ExecutiveState executive = ExecutiveState::rising;
   bool departed = false;
   double back_off_until_s = 0;
+  std::optional<Vec2> back_off_from;
   double squeeze_until_s = 0;
   std::optional<Vec2> refused_at;  // by the governor, at the latest scan
   Setpoint held;                   // a governed setpoint lasts until the next scan

@@ -40,7 +40,7 @@ bool Flight::depart(const VehicleState& state, double now_s) {
 
 // The known point that is closer to p than planners plan.
 std::optional<Vec2> Flight::crowding(const Vec2& p_world) const {
-  const double limit_m = spec.vehicle.clearance_min_m - SafetyGovernor::kKnownMargin_m;
+  const double limit_m = spec.vehicle.clearance_min_m;
   const ObstacleSnapshot known = map.snapshot();
   if (const auto nearest = known.nearest(p_world, limit_m)) return known.points()[*nearest];
   return std::nullopt;
@@ -48,7 +48,7 @@ std::optional<Vec2> Flight::crowding(const Vec2& p_world) const {
 
 // An unknown place as close as that, for which the governor refused.
 std::optional<Vec2> Flight::hemming_in(const Vec2& p_world) const {
-  const double limit_m = spec.vehicle.clearance_min_m - SafetyGovernor::kKnownMargin_m;
+  const double limit_m = spec.vehicle.clearance_min_m;
   if (refused_at && (*refused_at - p_world).norm() < limit_m) return refused_at;
   return std::nullopt;
 }
@@ -78,6 +78,7 @@ void Flight::recover(const VehicleState& state, double now_s) {
       return;
     case RecoveryAction::back_off:
       back_off_until_s = now_s + kBackOff_s;
+      back_off_from = crowding(p) ? crowding(p) : hemming_in(p);
       return;
     case RecoveryAction::squeeze:
       squeeze_until_s = now_s + kSqueeze_s;
@@ -127,7 +128,7 @@ Setpoint Flight::navigate(const VehicleState& state, double now_s) {
     setpoint.yaw_rate_rad_s = spec.vehicle.limits.max_yaw_rate_rad_s;
   } else if (departed && now_s < back_off_until_s) {
     executive = ExecutiveState::backing_off;
-    const auto place = crowding(p) ? crowding(p) : hemming_in(p);
+    const auto place = crowding(p) ? crowding(p) : back_off_from;
     if (place) aim = {p + (p - *place).normalized(), kBackOff_m_s, false};
   } else if (tracker.has_path()) {
     executive = ExecutiveState::under_way;
@@ -142,10 +143,12 @@ Setpoint Flight::navigate(const VehicleState& state, double now_s) {
   setpoint.p_target_world.head<2>() = aim.p_target_world;
   setpoint.brake_at_target = aim.at_goal;
   const Vec2 way = aim.p_target_world - p;
-  const Vec2 towards = way.norm() > 0 ? leaning_away(way.normalized(), p) : setpoint.heading_world;
+  const bool squeezing = now_s < squeeze_until_s;
+  Vec2 towards = way.norm() > 0 ? Vec2(way.normalized()) : setpoint.heading_world;
+  if (way.norm() > 0 && !squeezing) towards = leaning_away(towards, p);
   setpoint.speed_limit_m_s = speed_limit_m_s(spec.navigation.speed_rule, belief, towards, braking,
                                              spec.navigation.reaction_time_s, aim.speed_limit_m_s);
-  if (governor) govern(state, towards, now_s < squeeze_until_s, setpoint);
+  if (governor) govern(state, towards, squeezing, setpoint);
   return setpoint;
 }
 

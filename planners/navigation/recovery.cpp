@@ -9,6 +9,8 @@ constexpr double kStanding_m_s = 0.05;
 constexpr double kAway_m = 0.5;
 // Virtual obstacles are dropped this often; then a stall is final, and the referee's to judge.
 constexpr int kDropsMax = 3;
+// Steps from the mildest to the harshest.
+constexpr int kRound = 4;
 
 }  // namespace
 
@@ -50,14 +52,22 @@ RecoveryAction RecoveryPolicy::next_step(const Progress& progress) {
     }
     return drops_++ < kDropsMax ? RecoveryAction::drop_virtual_obstacles : RecoveryAction::none;
   }
-  if (progress.too_close && steps_taken_ == 1) return RecoveryAction::back_off;
-  if (steps_taken_ == 1) return RecoveryAction::look_around;
-  if (steps_taken_ == 2)
-    return progress.hemmed_in ? RecoveryAction::back_off : RecoveryAction::look_around;
-  // In a passage that turned out narrower than planners plan for, any way out is as narrow.
-  if ((progress.too_close || progress.hemmed_in) && steps_taken_ == 3)
-    return RecoveryAction::squeeze;
-  return RecoveryAction::add_virtual_obstacle;
+  // Over and over: what did not help at first may do so from where the other steps led.
+  switch ((steps_taken_ - 1) % kRound) {
+    case 0:
+      if (steps_taken_ > kRound && progress.virtual_in_force)
+        return RecoveryAction::drop_virtual_obstacles;
+      return progress.too_close ? RecoveryAction::back_off : RecoveryAction::look_around;
+    case 1:
+      return progress.hemmed_in && !progress.too_close ? RecoveryAction::back_off
+                                                       : RecoveryAction::look_around;
+    case 2:
+      // In a passage that turned out narrower than planners plan for, any way out is as narrow.
+      if (progress.too_close || progress.hemmed_in) return RecoveryAction::squeeze;
+      [[fallthrough]];
+    default:
+      return RecoveryAction::add_virtual_obstacle;
+  }
 }
 
 }  // namespace voronaut

@@ -37,6 +37,19 @@ TEST(RecoveryPolicy, GoesFromTheMildestStepToTheHarshest) {
   EXPECT_EQ(next_action(policy, now_s, stalled), RecoveryAction::add_virtual_obstacle);
 }
 
+TEST(RecoveryPolicy, BeginsANewRoundWithoutTheVirtualObstaclesOfTheLast) {
+  RecoveryPolicy policy(kTimeout_s);
+  double now_s = 0;
+  Progress stalled;
+  stalled.wants_to_move = true;
+  stalled.too_close = true;
+  for (int step = 0; step < 4; ++step) next_action(policy, now_s, stalled);
+  stalled.virtual_in_force = true;
+  EXPECT_EQ(next_action(policy, now_s, stalled), RecoveryAction::drop_virtual_obstacles);
+  EXPECT_EQ(next_action(policy, now_s, stalled), RecoveryAction::look_around);
+  EXPECT_EQ(next_action(policy, now_s, stalled), RecoveryAction::squeeze);
+}
+
 TEST(RecoveryPolicy, LooksBeforeItBacksOffFromWhatIsUnknown) {
   RecoveryPolicy policy(kTimeout_s);
   double now_s = 0;
