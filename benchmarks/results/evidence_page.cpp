@@ -84,7 +84,7 @@ std::string table(const std::vector<RunRecord>& records) {
   for (const char* heading : {"n", "reached", "of 100", "collisions", "other", "clearance_min_m",
                               "path_ratio mean", "path_ratio 95 %"})
     result.columns.push_back({heading, Align::right});
-  const bool of_barn = tallies.size() > 0 && std::get<0>(tallies.begin()->first) == kBarn;
+  const bool of_barn = !tallies.empty() && std::get<0>(tallies.begin()->first) == kBarn;
   if (of_barn) result.columns.push_back({"BARN score", Align::right});
   for (const auto& [key, tally] : tallies) {
     std::vector<std::string> cells = {std::get<0>(key), std::get<1>(key), std::get<2>(key)};
