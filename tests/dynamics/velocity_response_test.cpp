@@ -41,11 +41,12 @@ double distance_m(const Vector2d& p, const std::vector<Vector2d>& track) {
 double error_m(CourseFlight& flight, const Vector2d& before, const Vector2d& course) {
   std::vector<Vector2d> track;
   flight.response().predict_stop(flight.motion(), before, course, kHold_s, kPeriod_s, track);
+  const double yaw_rate_rad_s = flight.uniform(-2, 2);
   double largest = 0;
   for (int i = 0; i < 400; ++i) {
     largest = std::max(largest, distance_m(flight.motion().p_m, track));
     const bool holding = i * kPeriod_s < kHold_s - 1e-9;
-    flight.step(holding ? course : Vector2d(0, 0), flight.uniform(-2, 2));
+    flight.step(holding ? course : Vector2d(0, 0), yaw_rate_rad_s);
   }
   return largest;
 }
