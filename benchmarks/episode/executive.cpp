@@ -40,17 +40,15 @@ bool Flight::depart(const VehicleState& state, double now_s) {
 
 // The known point that is closer to p than planners plan.
 std::optional<Vec2> Flight::crowding(const Vec2& p_world) const {
-  const double limit_m = spec.vehicle.clearance_min_m;
   const ObstacleSnapshot known = map.snapshot();
-  if (const auto nearest = known.nearest(p_world, limit_m)) return known.points()[*nearest];
-  return std::nullopt;
+  const auto nearest = known.nearest(p_world, spec.vehicle.clearance_min_m);
+  return nearest ? std::optional(known.points()[*nearest]) : std::nullopt;
 }
 
 // An unknown place as close as that, for which the governor refused.
 std::optional<Vec2> Flight::hemming_in(const Vec2& p_world) const {
-  const double limit_m = spec.vehicle.clearance_min_m;
-  if (refused_at && (*refused_at - p_world).norm() < limit_m) return refused_at;
-  return std::nullopt;
+  const bool near = refused_at && (*refused_at - p_world).norm() < spec.vehicle.clearance_min_m;
+  return near ? refused_at : std::nullopt;
 }
 
 // The unknown for whose sake the governor keeps the vehicle from moving on.
@@ -101,10 +99,9 @@ void Flight::recover(const VehicleState& state, double now_s) {
 
 // Closer to a known point than planners plan, a course also leads away from it.
 Vec2 Flight::leaning_away(const Vec2& towards, const Vec2& p_world) const {
-  const ObstacleSnapshot known = map.snapshot();
-  const auto nearest = known.nearest(p_world, spec.vehicle.clearance_min_m);
+  const auto nearest = crowding(p_world);
   if (!governor || !nearest) return towards;
-  const Vec2 from_nearest = p_world - known.points()[*nearest];
+  const Vec2 from_nearest = p_world - *nearest;
   const double distance_m = from_nearest.norm();
   if (distance_m == 0) return towards;
   const double lean =
