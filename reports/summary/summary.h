@@ -3,6 +3,7 @@
 #include <array>
 #include <cstdint>
 #include <string>
+#include <tuple>
 #include <vector>
 
 #include "voronaut/reports/run_record.h"
@@ -19,7 +20,11 @@ struct SummaryGroup {
   std::string regulator;
   bool all_scenarios = false;  // pooled over the scenario groups; scenario_group is empty then
 
-  friend auto operator<=>(const SummaryGroup&, const SummaryGroup&) = default;
+  friend bool operator==(const SummaryGroup&, const SummaryGroup&) = default;
+  friend bool operator<(const SummaryGroup& a, const SummaryGroup& b) {
+    return std::tie(a.scenario_group, a.vehicle, a.regulator, a.all_scenarios) <
+           std::tie(b.scenario_group, b.vehicle, b.regulator, b.all_scenarios);
+  }
 };
 
 struct PlannerSummary {
