@@ -20,6 +20,7 @@
 #include "voronaut/planners/navigation/replan_policy.h"
 #include "voronaut/planners/navigation/safety_governor.h"
 #include "voronaut/planners/navigation/speed_rule.h"
+#include "voronaut/planners/navigation/way_flown.h"
 
 namespace voronaut {
 
@@ -41,6 +42,7 @@ struct Flight {
   bool depart(const VehicleState& state, double now_s);
   void recover(const VehicleState& state, double now_s);
   void adopt(Plan plan, double now_s);
+  void judge_infeasible(double now_s);
   void govern(const VehicleState& state, const Vec2& towards, bool squeezing, Setpoint& setpoint);
   std::optional<Vec2> crowding(const Vec2& p_world) const;
   std::optional<Vec2> hemming_in(const Vec2& p_world) const;
@@ -76,6 +78,8 @@ struct Flight {
   double back_off_until_s = 0;
   std::optional<Vec2> back_off_from;
   double squeeze_until_s = 0;
+  WayFlown way_flown;
+  bool retracing = false;
   std::optional<Vec2> refused_at;  // by the governor, at the latest scan
   Setpoint held;                   // a governed setpoint lasts until the next scan
   EpisodeLog log;

@@ -128,7 +128,7 @@ Setpoint Flight::navigate(const VehicleState& state, double now_s) {
     const auto place = crowding(p) ? crowding(p) : back_off_from;
     if (place) aim = {p + (p - *place).normalized(), kBackOff_m_s, false};
   } else if (tracker.has_path()) {
-    executive = ExecutiveState::under_way;
+    executive = retracing ? ExecutiveState::retracing : ExecutiveState::under_way;
     setpoint.yaw_rate_rad_s = gaze.yaw_rate_rad_s(setpoint.heading_world, state.heading_world());
     tracker.advance(p);
     aim = tracker.aim(p, state.v_world.head<2>().norm(), belief.obstacles,
@@ -140,7 +140,7 @@ Setpoint Flight::navigate(const VehicleState& state, double now_s) {
   setpoint.p_target_world.head<2>() = aim.p_target_world;
   setpoint.brake_at_target = aim.at_goal;
   const Vec2 way = aim.p_target_world - p;
-  const bool squeezing = now_s < squeeze_until_s;
+  const bool squeezing = retracing || now_s < squeeze_until_s;
   Vec2 towards = way.norm() > 0 ? Vec2(way.normalized()) : setpoint.heading_world;
   if (way.norm() > 0 && !squeezing) towards = leaning_away(towards, p);
   setpoint.speed_limit_m_s = speed_limit_m_s(spec.navigation.speed_rule, belief, towards, braking,

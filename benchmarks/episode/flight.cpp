@@ -11,6 +11,8 @@ namespace {
 
 // The bounds are no wall: a path along them needs room for the vehicle to be beside it.
 constexpr double kInsideBounds_m = 0.15;
+// Out of a pocket in legs as long as this; after each the planner is asked again.
+constexpr double kRetraceLeg_m = 0.5;
 
 // The bounds within which paths are planned: start and goal lie within in any case.
 Bounds planning_bounds(const Scenario& scenario) {
@@ -117,6 +119,12 @@ void Flight::plan(const VehicleState& state, double now_s) {
   if (spec.navigation.recovery) recover(state, now_s);
   problem.update(belief, p);
   tracker.advance(p);
+  if (retracing) {
+    way_flown.go_back(p);
+    if (tracker.remaining_m() < WayFlown::kSpacing_m) tracker.drop();  // ask from here
+  } else {
+    way_flown.go_on(p);
+  }
   ScanEvent& event = log.scans.back();
   event.replan = replan_policy.reason(tracker, problem.geometry(), p, now_s);
   if (event.replan == ReplanReason::none) return;
@@ -130,19 +138,40 @@ void Flight::plan(const VehicleState& state, double now_s) {
 
 void Flight::adopt(Plan plan, double now_s) {
   const bool proof_holds = virtual_obstacles.empty();
-  if (plan.status == PlanStatus::infeasible && proof_holds)
-    referee.accept_infeasible(now_s, "the planner proved that no path exists");
+  if (plan.status == PlanStatus::infeasible && proof_holds) {
+    judge_infeasible(now_s);
+    return;
+  }
   if (plan.status == PlanStatus::refused && proof_holds)
     referee.accept_infeasible(now_s, "the planner refused the problem");
   if (plan.path.empty()) {
     tracker.drop();
     return;
   }
+  retracing = false;
   if (spec.navigation.shortcut && !planner_traits.plans_on_every_scan) {
     plan.path = shortcut(plan.path, problem.geometry());
   }
   if (keep_scans) log.plans.push_back(plan.path);
   tracker.follow(std::move(plan.path), plan.status == PlanStatus::to_goal);
+}
+
+// That no path exists from here may be the vehicle's own doing: it stands in a pocket that it came
+// into through a passage too narrow for planners. What counts is whether the mission has a path.
+void Flight::judge_infeasible(double now_s) {
+  tracker.drop();
+  problem.update(belief, spec.scenario.start_world);
+  const Plan from_start = ask_for_plan(*planner, planner_traits, problem, spec.budget);
+  problem.update(belief, belief.pose_world.p_world);
+  if (from_start.status == PlanStatus::infeasible) {
+    referee.accept_infeasible(now_s, "the planner proved that no path exists");
+  } else if (spec.navigation.recovery) {
+    retracing = true;
+    Path back = way_flown.back_from(belief.pose_world.p_world, kRetraceLeg_m);
+    if (back.empty()) return;
+    if (keep_scans) log.plans.push_back(back);
+    tracker.follow(std::move(back), true);
+  }
 }
 
 void Flight::record_scan(const Setpoint& setpoint) {

@@ -24,6 +24,8 @@ std::string_view to_string(ExecutiveState state) {
       return "under_way";
     case ExecutiveState::backing_off:
       return "backing_off";
+    case ExecutiveState::retracing:
+      return "retracing";
     case ExecutiveState::without_path:
       return "without_path";
   }

@@ -13,6 +13,7 @@ enum class ExecutiveState {
   looking_around,  // turning on the spot to see all around
   under_way,       // following its path
   backing_off,     // away from what it is too close to
+  retracing,       // back the way it came, out of a pocket
   without_path,    // the planner has none
 };
 

@@ -10,7 +10,9 @@ namespace voronaut {
 
 namespace {
 
-constexpr std::array kShares = {0.05, 0.12, 0.25, 0.4, 0.6, 0.8};
+// Level 0 is braking.
+constexpr std::array kShares = {0.0, 0.05, 0.12, 0.25, 0.4, 0.6, 0.8, 1.0};
+constexpr std::size_t kFull = kShares.size() - 1;
 constexpr double kSample_s = 0.05;
 // Samples of the track may lie this far beside its straight pieces; the tube is wider by it.
 constexpr double kStraight_m = 0.005;
@@ -34,26 +36,13 @@ const GovernedCourse& SafetyGovernor::allow(const Vec2& v_wanted_world, const Ve
   if (const auto closest = known.nearest(now.p_m, keep_m)) {
     keep_m = std::max(0.0, (known.points()[*closest] - now.p_m).norm() - kRounding_m);
   }
+  const bool wants_to_move = v_wanted_world.squaredNorm() > 0;
+  level_ = wants_to_move ? safe_level(v_wanted_world, now, free, known, keep_m) : 0;
+  course_.share = kShares[level_];
   course_.refused_at.reset();
-  course_.share = 1;
-  if (v_wanted_world.squaredNorm() == 0) {
-    course_.share = 0;
-  } else if (!is_safe(1, v_wanted_world, now, free, known, keep_m)) {
-    course_.refused_at = free.first_unknown_in_tube(pieces_, tube_radius_m(1, v_wanted_world, now));
-    // The largest share that is safe, by bisection: a slower course sweeps less.
-    std::size_t safe = 0, unsafe = kShares.size() + 1;  // share number; 0 is braking
-    while (unsafe - safe > 1) {
-      const std::size_t middle = (safe + unsafe) / 2;
-      const double share = kShares[middle - 1];
-      if (is_safe(share, v_wanted_world, now, free, known, keep_m)) {
-        safe = middle;
-        safe_pieces_.swap(pieces_);
-      } else {
-        unsafe = middle;
-      }
-    }
-    course_.share = safe == 0 ? 0 : kShares[safe - 1];
-    pieces_.swap(safe_pieces_);
+  if (wants_to_move && level_ < kFull && now.v_m_s.norm() <= kDepartureSpeed_m_s) {
+    course_.refused_at = free.first_unknown_in_tube(
+        refused_pieces_, tube_radius_m(kShares[level_ + 1], v_wanted_world, now));
   }
   course_.v_world = Vec2(0, 0);
   if (course_.share > 0) course_.v_world = course_at(course_.share, v_wanted_world, now);
@@ -61,6 +50,32 @@ const GovernedCourse& SafetyGovernor::allow(const Vec2& v_wanted_world, const Ve
   course_.tube_world = pieces_;
   v_before_ = course_.v_world;
   return course_;
+}
+
+// A slower course sweeps less, so levels are safe up to one of them. That is most often the level
+// of the call before or next to it: looked for there first, then by bisection.
+std::size_t SafetyGovernor::safe_level(const Vec2& v_wanted_world, const PlanarMotion& now,
+                                       const FreeSpace& free, const ObstacleSnapshot& known,
+                                       double keep_m) {
+  std::size_t safe = 0, unsafe = kFull + 1;
+  std::size_t level = std::min(level_ + 1, kFull);
+  bool near = true;
+  while (unsafe - safe > 1) {
+    if (is_safe(kShares[level], v_wanted_world, now, free, known, keep_m)) {
+      safe = level;
+      safe_pieces_.swap(pieces_);
+    } else {
+      unsafe = level;
+      refused_pieces_.swap(pieces_);
+    }
+    if (near && unsafe == level && level > 1)
+      --level;
+    else
+      level = (safe + unsafe) / 2;
+    near = false;
+  }
+  pieces_.swap(safe_pieces_);
+  return safe;
 }
 
 Vec2 SafetyGovernor::course_at(double share, const Vec2& v_wanted_world,

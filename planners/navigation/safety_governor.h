@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <vector>
 
@@ -17,7 +18,8 @@ struct GovernedCourse {
   // Where the body would go: hold the course, then brake to rest. Corners of a chain of straight
   // pieces, valid until the next call; empty when braking without a track that was proved.
   std::vector<Vec2> tube_world;
-  // A place that the tube asked for would have touched and nobody knows to be free.
+  // A place that the next faster tube would have touched and nobody knows to be free. Looked for
+  // only while the vehicle is slow: who stands asks why.
   std::optional<Vec2> refused_at;
 };
 
@@ -55,14 +57,16 @@ class SafetyGovernor {
                  double hold_s);
 
   // The fastest of a few shares of v_wanted_world [m/s] that is safe from `state` on. Zero is
-  // braking, which is always allowed. O(time to rest), a few thousand instructions for a course
-  // that is safe as it is, four times that for one that is not.
+  // braking, which is always allowed. O(time to rest), a few thousand instructions for each share
+  // that is looked at: one where nothing is in the way, most often two where something is.
   // `squeezing`: no margin is kept from known points, only what is known to be free is asked.
   const GovernedCourse& allow(const Vec2& v_wanted_world, const VehicleState& state,
                               const FreeSpace& free, const ObstacleSnapshot& known,
                               bool squeezing = false);
 
  private:
+  std::size_t safe_level(const Vec2& v_wanted_world, const PlanarMotion& now, const FreeSpace& free,
+                         const ObstacleSnapshot& known, double keep_m);
   Vec2 course_at(double share, const Vec2& v_wanted_world, const PlanarMotion& now) const;
   double tube_radius_m(double share, const Vec2& v_wanted_world, const PlanarMotion& now) const;
   bool is_safe(double share, const Vec2& v_wanted_world, const PlanarMotion& now,
@@ -78,9 +82,11 @@ class SafetyGovernor {
   double hold_s_;
   Vec2 v_before_ = Vec2::Zero();
   GovernedCourse course_;
-  std::vector<Vec2> track_;        // as predicted
-  std::vector<Vec2> pieces_;       // its corners
-  std::vector<Vec2> safe_pieces_;  // of the largest share found safe
+  std::vector<Vec2> track_;           // as predicted
+  std::vector<Vec2> pieces_;          // its corners
+  std::vector<Vec2> safe_pieces_;     // of the largest share found safe
+  std::vector<Vec2> refused_pieces_;  // of the smallest found unsafe
+  std::size_t level_ = 0;             // number of the share allowed before
   std::vector<Vec2> unknown_cells_;
 };
 
