@@ -12,7 +12,7 @@ namespace {
 constexpr double kStopErrorAtRest_m = 0.006;
 constexpr double kTiltedStopErrorAtRest_m = 0.014;  // turning while tilted pulls it aside
 constexpr double kIdealStopError_s = 0.001;
-constexpr double kAgileStopError_s = 0.024;    // pd_rate on the corrected inertia
+constexpr double kAgileStopError_s = 0.008;    // pd_rate on the corrected inertia
 constexpr double kSluggishStopError_s = 0.08;  // on the printed one its rotors saturate
 
 template <class... Fs>

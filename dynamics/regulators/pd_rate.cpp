@@ -67,6 +67,7 @@ PdRateGains place_poles(const PdRateConfig& config, const QuadrotorConfig& vehic
   return {.kp = p.velocity_rad_s * wa2 / (g * kappa),
           .kd = (wa2 + twice_damped * p.velocity_rad_s) / (g * kappa),
           .kq = (p.velocity_rad_s + twice_damped) / kappa,
+          .gyro_s = inertia.z() / (inertia.x() * kappa),
           .height_kp = config.height_pole_rad_s * config.height_pole_rad_s / lift,
           .height_kd = 2 * config.height_damping * config.height_pole_rad_s / lift,
           .yaw_k = config.yaw_pole_rad_s * config.yaw_pole_rad_s / turn,
@@ -120,8 +121,9 @@ Command PdRate::regulate(const Setpoint& setpoint, const VehicleState& state) {
 
   RotorDemand demand;
   demand.collective = (hover_rad_s_ + gains_.height_kd * climb_error) / std::sqrt(cos_tilt);
-  demand.forward = push.dot(ahead) - gains_.kq * q;
-  demand.right = push.x() * ahead.y() - push.y() * ahead.x() - gains_.kq * p;
+  demand.forward = push.dot(ahead) - gains_.kq * q - gains_.gyro_s * p * r;
+  demand.right =
+      push.x() * ahead.y() - push.y() * ahead.x() - gains_.kq * p + gains_.gyro_s * q * r;
   demand.yaw = gains_.yaw_kr * (yaw_rate - r);
   saturate(demand);
   return mixed(demand);
@@ -138,6 +140,10 @@ void PdRate::saturate(RotorDemand& demand) const {
   const double used = 0.5 * std::max(std::abs(demand.forward), std::abs(demand.right));
   const double yaw_room = std::min(kYawAuthority * hover_rad_s_, room - used);
   demand.yaw = std::clamp(demand.yaw, -yaw_room, yaw_room);
+  // Thrust grows with the square of speed: the pair that yaw slows down turns the vehicle less for
+  // the same difference, the other one more.
+  demand.forward *= demand.collective / (demand.collective - demand.yaw);
+  demand.right *= demand.collective / (demand.collective + demand.yaw);
 }
 
 }  // namespace voronaut

@@ -133,7 +133,7 @@ const MissionRow kMissions[] = {
     {InertiaSet::corrected,
      Poles::corrected,
      {.kind = Kind::literal, .slope_1_m = 1},
-     {1.69, 8.15, 20.01, 2.17, 0.54, 0.025, 10.4}},
+     {1.69, 8.15, 20.01, 2.17, 0.54, 0.025, 10.3}},  // 10.4 without what undoes turning
     {InertiaSet::corrected,
      Poles::corrected,
      {.goal_gain_1_s = 0.7},

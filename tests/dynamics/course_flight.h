@@ -27,20 +27,23 @@ class CourseFlight {
     state_ = model_->at_rest({0, 0, 1}, {1, 0});
     regulator_->reset(state_);
     pending_ = model_->hold();
+    turns_on_ = uniform(0, 1) < 0.5;
+    yaw_rate_rad_s_ = uniform(-2, 2);
   }
   void step(const Eigen::Vector2d& course_m_s, double yaw_rate_rad_s) {
     Setpoint setpoint;
     setpoint.p_target_world = {0, 0, 1};
     setpoint.course_m_s = course_m_s;
+    if (turns_on_) setpoint.heading_world = state_.heading_world();
     setpoint.yaw_rate_rad_s = yaw_rate_rad_s;
     const Command next = regulator_->regulate(setpoint, state_);
     state_ = model_->step(state_, pending_, kPeriod_s);
     pending_ = next;
   }
   void fly(const Eigen::Vector2d& course_m_s, double duration_s) {
-    const double yaw_rate_rad_s = uniform(-2, 2);
+    if (!turns_on_) yaw_rate_rad_s_ = uniform(-2, 2);
     const long steps = std::lround(duration_s / kPeriod_s);
-    for (long i = 0; i < steps; ++i) step(course_m_s, yaw_rate_rad_s);
+    for (long i = 0; i < steps; ++i) step(course_m_s, yaw_rate_rad_s_);
   }
 
   double uniform(double low, double high) {
@@ -65,6 +68,8 @@ class CourseFlight {
   std::unique_ptr<Regulator> regulator_;
   VehicleState state_;
   Command pending_;
+  bool turns_on_ = false;  // all through the flight; else another rate for every course
+  double yaw_rate_rad_s_ = 0;
 };
 
 inline VehicleSpec quadrotor_with_printed_inertia() {
