@@ -50,7 +50,7 @@ const std::vector<CountedKernel>& counted_kernels() {
       check("state_check_fcl", 2'300, 0, Checker::ompl_fcl, Check::state, 1'000),
       check("motion_check_fcl", 5'350, 0, Checker::ompl_fcl, Check::motion, 1'000),
       {"checks_expected", "point that became known", 2'350, 2'000, expecting_checks_work},
-      {"governed_cycle", "scan of 91 rays, navigation alone", 77'500, 60'000, make_governed_cycle},
+      {"governed_cycle", "scan of 91 rays, navigation alone", 52'000, 60'000, make_governed_cycle},
       {"sensing_720", "ray, forest scan", 14.2, 50, [] { return sensing_work(720); }},
       {"vehicle_step", "step of the quadrotor", 900, 900, vehicle_step_work},
       {"regulate", "command of pd_rate", 390, 0, regulate_work},
