@@ -7,6 +7,7 @@
 #include <tuple>
 
 #include "voronaut/reports/summary/barn_score.h"
+#include "voronaut/reports/summary/path_ratio.h"
 #include "voronaut/reports/summary/statistics.h"
 #include "voronaut/reports/summary/text_table.h"
 
@@ -37,7 +38,8 @@ struct Tally {
   std::map<Outcome, std::int64_t> outcomes;
   double clearance_min_m = kAbsent;
   std::vector<double> path_ratios;  // of the trials that reached the goal
-  double barn_scores = 0;           // their sum
+  std::vector<double> path_ratios_at_clearance;
+  double barn_scores = 0;  // their sum
 
   void add(const RunRecord& record) {
     ++n;
@@ -45,6 +47,8 @@ struct Tally {
     ++outcomes[record.outcome];
     clearance_min_m = std::fmin(clearance_min_m, record.clearance_min_m);
     if (!std::isnan(record.path_ratio)) path_ratios.push_back(record.path_ratio);
+    const double at_clearance = path_ratio_at_clearance(record);
+    if (!std::isnan(at_clearance)) path_ratios_at_clearance.push_back(at_clearance);
   }
   std::int64_t count(Outcome outcome) const {
     const auto found = outcomes.find(outcome);
@@ -70,7 +74,8 @@ std::vector<std::string> row(const Tally& tally) {
           tally.other_outcomes(),
           fixed(tally.clearance_min_m, 3),
           with_interval(mean_estimate(tally.path_ratios)),
-          with_interval(quantile_estimate(tally.path_ratios, 0.95))};
+          with_interval(quantile_estimate(tally.path_ratios, 0.95)),
+          with_interval(mean_estimate(tally.path_ratios_at_clearance))};
 }
 
 std::string table(const std::vector<RunRecord>& records) {
@@ -82,7 +87,7 @@ std::string table(const std::vector<RunRecord>& records) {
   for (const char* heading : {"worlds", "vehicle", "planner"})
     result.columns.push_back({heading, Align::left});
   for (const char* heading : {"n", "reached", "of 100", "collisions", "other", "clearance_min_m",
-                              "path_ratio mean", "path_ratio 95 %"})
+                              "path_ratio mean", "path_ratio 95 %", "mean at clearance_min_m"})
     result.columns.push_back({heading, Align::right});
   const bool of_barn = !tallies.empty() && std::get<0>(tallies.begin()->first) == kBarn;
   if (of_barn) result.columns.push_back({"BARN score", Align::right});
@@ -122,7 +127,9 @@ EvidencePage evidence_page(const std::vector<SuiteEvidence>& suites) {
       "`benchmarks/suites/evidence/`, and the `real-` ones where VORONAUT_DATA is set, and writes "
       "this page. Failures stay in every "
       "denominator; \"of 100\" is Wilson's 95 % interval of those that reached the "
-      "goal, the others are bootstrap intervals over arrivals.\n\n" +
+      "goal, the others are bootstrap intervals over arrivals. Path ratios are over the body's "
+      "shortest "
+      "path on the true world; the last column over the shortest one at `clearance_min_m`.\n\n" +
       std::to_string(suites.size()) + " suites, " + std::to_string(all.n) + " flights, " +
       std::to_string(all.count(Outcome::collision)) + " collisions, smallest clearance " +
       fixed(all.clearance_min_m, 3) + " m. " +

@@ -7,6 +7,7 @@
 #include <tuple>
 
 #include "voronaut/environments/config/config_reader.h"
+#include "voronaut/reports/summary/path_ratio.h"
 #include "voronaut/reports/summary/statistics.h"
 
 namespace voronaut {
@@ -62,22 +63,40 @@ void add_ratio(Examination& examination, const std::string& bound, double value,
       !judged || holds);
 }
 
-void examine_ratios(const Claim& claim, std::vector<double> ratios, Examination& examination) {
+// Path ratios of the arrivals.
+struct Ratios {
+  std::vector<double> of_body;
+  std::vector<double> at_clearance;
+
+  void add(const RunRecord& record) {
+    if (!std::isnan(record.path_ratio)) of_body.push_back(record.path_ratio);
+    const double at = path_ratio_at_clearance(record);
+    if (!std::isnan(at)) at_clearance.push_back(at);
+  }
+};
+
+// `statistic` of some ratios against its bound; nothing where none is stated.
+void examine_ratio(const std::string& what, double max, const std::vector<double>& ratios,
+                   double (*statistic)(const std::vector<double>&), Examination& examination) {
   const Claim nothing;
-  const bool about_mean = claim.path_ratio_mean_max < nothing.path_ratio_mean_max;
-  const bool about_tail = claim.path_ratio_p95_max < nothing.path_ratio_p95_max;
-  if (!about_mean && !about_tail) return;
+  if (max >= nothing.path_ratio_mean_max) return;
   if (ratios.empty()) return examination.fail("no trial reached the goal");
-  std::sort(ratios.begin(), ratios.end());
-  const double mean =
-      std::accumulate(ratios.begin(), ratios.end(), 0.0) / static_cast<double>(ratios.size());
-  if (about_mean)
-    add_ratio(examination, "mean path ratio <= " + number_text(claim.path_ratio_mean_max), mean,
-              mean <= claim.path_ratio_mean_max, ratios.size());
-  if (!about_tail) return;
-  const double tail = quantile_of_sorted(ratios, 0.95);
-  add_ratio(examination, "95 % of path ratios <= " + number_text(claim.path_ratio_p95_max), tail,
-            tail <= claim.path_ratio_p95_max, ratios.size());
+  const double value = statistic(ratios);
+  add_ratio(examination, what + " <= " + number_text(max), value, value <= max, ratios.size());
+}
+
+void examine_ratios(const Claim& claim, Ratios ratios, Examination& examination) {
+  std::sort(ratios.of_body.begin(), ratios.of_body.end());
+  const auto mean = [](const std::vector<double>& values) {
+    return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
+  };
+  const auto tail = [](const std::vector<double>& values) {
+    return quantile_of_sorted(values, 0.95);
+  };
+  examine_ratio("mean path ratio", claim.path_ratio_mean_max, ratios.of_body, mean, examination);
+  examine_ratio("95 % of path ratios", claim.path_ratio_p95_max, ratios.of_body, tail, examination);
+  examine_ratio("mean path ratio at clearance_min_m", claim.path_ratio_at_clearance_mean_max,
+                ratios.at_clearance, mean, examination);
 }
 
 // By world, vehicle and repetition: the mean speed of the arrivals of one planner.
@@ -123,14 +142,14 @@ Finding examine(const Claim& claim, const std::vector<RunRecord>& records) {
   std::size_t n = 0;
   std::int64_t as_claimed = 0, collisions = 0;
   double clearance_m = kAbsent;
-  std::vector<double> ratios;
+  Ratios ratios;
   for (const RunRecord& record : records) {
     if (!is_about(claim, record)) continue;
     ++n;
     as_claimed += record.outcome == claim.outcome ? 1 : 0;
     collisions += record.outcome == Outcome::collision ? 1 : 0;
     clearance_m = std::fmin(clearance_m, record.clearance_min_m);
-    if (!std::isnan(record.path_ratio)) ratios.push_back(record.path_ratio);
+    ratios.add(record);
   }
   Examination examination(claim);
   if (n == 0) {

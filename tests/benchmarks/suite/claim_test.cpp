@@ -79,6 +79,23 @@ TEST(Claim, JudgesPathRatiosOverManyArrivalsOnly) {
       "a: mean path ratio <= 1.11 (1.1 over 120); 95 % of path ratios <= 1.19 (1.2 over 120)");
 }
 
+TEST(Claim, JudgesPathsAgainstTheShortestAtTheClearanceThatPlannersKeep) {
+  std::vector<RunRecord> many;
+  for (int i = 0; i < 120; ++i) many.push_back(records().front());
+  for (RunRecord& one : many) {
+    one.path_ratio = 1.5;
+    one.shortest_length_m = 10;
+    one.shortest_at_clearance_m = 12;
+  }
+  Claim claim;
+  claim.path_ratio_at_clearance_mean_max = 1.26;
+  EXPECT_TRUE(examine(claim, many).holds);
+  EXPECT_EQ(examine(claim, many).text,
+            "every trial: mean path ratio at clearance_min_m <= 1.26 (1.25 over 120)");
+  claim.path_ratio_at_clearance_mean_max = 1.2;
+  EXPECT_FALSE(examine(claim, many).holds);
+}
+
 TEST(Claim, ComparesSpeedsInWorldsThatBothFinished) {
   std::vector<RunRecord> flights;
   for (int world = 0; world < 200; ++world) {
