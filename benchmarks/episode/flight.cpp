@@ -142,8 +142,7 @@ void Flight::adopt(Plan plan, double now_s) {
     judge_infeasible(now_s);
     return;
   }
-  if (plan.status == PlanStatus::refused && proof_holds)
-    referee.accept_infeasible(now_s, "the planner refused the problem");
+  referee.note_refusal(plan.status == PlanStatus::refused ? plan.mode : "");
   if (plan.path.empty()) {
     tracker.drop();
     return;
@@ -164,7 +163,10 @@ void Flight::judge_infeasible(double now_s) {
   const Plan from_start = ask_for_plan(*planner, planner_traits, problem, spec.budget);
   problem.update(belief, belief.pose_world.p_world);
   if (from_start.status == PlanStatus::infeasible) {
-    referee.accept_infeasible(now_s, "the planner proved that no path exists");
+    referee.accept_infeasible(now_s, problem.goal_has_place()
+                                         ? "the planner proved that no path exists"
+                                         : "no place at the goal keeps the clearance from what is "
+                                           "known");
   } else if (spec.navigation.recovery) {
     retracing = true;
     Path back = way_flown.back_from(belief.pose_world.p_world, kRetraceLeg_m);

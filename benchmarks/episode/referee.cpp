@@ -57,10 +57,14 @@ void Referee::watch_progress(double now_s, const Vec2& p) {
     anchored_s_ = now_s;
   }
   if (now_s - anchored_s_ >= config_.stuck_after_s) {
-    finish(now_s, Outcome::stuck, at_text("stood still", now_s, p));
+    finish(now_s, Outcome::stuck, at_text("stood still", now_s, p) + refusal());
   } else if (now_s >= time_limit_s_) {
-    finish(now_s, Outcome::timeout, at_text("time ran out", now_s, p));
+    finish(now_s, Outcome::timeout, at_text("time ran out", now_s, p) + refusal());
   }
+}
+
+std::string Referee::refusal() const {
+  return refusal_.empty() ? "" : "; the planner refused: " + refusal_;
 }
 
 void Referee::accept_infeasible(double now_s, const std::string& reason) {

@@ -2,6 +2,7 @@
 
 #include <memory>
 #include <optional>
+#include <string>
 
 #include "voronaut/benchmarks/episode/loop_config.h"
 #include "voronaut/dynamics/state.h"
@@ -43,6 +44,9 @@ class Referee {
   void judge(double now_s, const VehicleState& state);
   // The planner's own proof that there is no path ends the trial.
   void accept_infeasible(double now_s, const std::string& reason);
+  // Why the planner would not take the latest problem, empty if it did: who comes to a stop for
+  // that is stuck, as the world may have a path.
+  void note_refusal(const std::string& why) { refusal_ = why; }
 
   const std::optional<Verdict>& verdict() const { return verdict_; }
   // When the centre was first within the goal tolerance; empty before.
@@ -53,6 +57,7 @@ class Referee {
  private:
   void finish(double now_s, Outcome outcome, std::string reason);
   void watch_progress(double now_s, const Vec2& p);
+  std::string refusal() const;
 
   const Scenario& scenario_;
   LoopConfig config_;
@@ -61,6 +66,7 @@ class Referee {
   std::optional<double> arrived_s_;
   std::optional<Verdict> verdict_;
   double end_s_ = 0;
+  std::string refusal_;
   Vec2 anchor_;  // centre of the disc that the vehicle has not left since anchored_s_
   double anchored_s_ = 0;
 };

@@ -7,8 +7,9 @@ namespace voronaut {
 // A trial of a suite of kind `known`: the whole true world is given and nobody moves, as in
 // ompl::tools::Benchmark. States and motions are exact against the true shapes at the vehicle's
 // clearance_min_m; planners see them through the validity checker and motion validator alone. Two
-// solves: the first, of a problem of its own, takes the page faults of a new process out of the
-// second, which is seeded anew and measured. In the row:
+// solves: the first, of a problem and with a seed of its own, takes the page faults of a new
+// process out of the second, which is seeded anew and measured. Who crashes in either has crashed.
+// In the row:
 //
 //   outcome         goal_reached: an exact path that the check accepts; collision: one that it does
 //                   not; infeasible: proved; invalid: start or goal; timeout: no path

@@ -1,5 +1,8 @@
 #include <algorithm>
+#include <array>
+#include <chrono>
 #include <cstdio>
+#include <cstdlib>
 #include <fstream>
 #include <iostream>
 #include <limits>
@@ -7,7 +10,9 @@
 #include <string>
 #include <vector>
 
+#include <ompl/base/PlannerData.h>
 #include <ompl/geometric/SimpleSetup.h>
+#include <ompl/geometric/planners/rrt/RRTConnect.h>
 #include <ompl/tools/benchmark/Benchmark.h>
 #include <ompl/util/Console.h>
 #include <ompl/util/RandomNumbers.h>
@@ -19,14 +24,24 @@
 #include "voronaut/environments/world.h"
 
 // RRTConnect on OMPL's circle queries through a suite of kind `known` and through
-// ompl::tools::Benchmark, with the same checker: voronaut-known-against-ompl FOLDER, the folder of
-// circle_obstacles.txt and circle_queries.txt. Both are run in turns, a query at a time, so that
-// whatever else the machine does falls on both.
+// ompl::tools::Benchmark, with the same checker and the same seeds:
+//
+//   voronaut-known-against-ompl FOLDER [RUNS]
+//
+// FOLDER is that of circle_obstacles.txt and circle_queries.txt, RUNS the seeds of each query. Both
+// are run in turns, a query at a time, so that whatever else the machine does falls on both. Exit
+// code 1 unless each run did the same work both ways.
+//
+// Benchmark's own property `time` is more than solve(): OMPL 1.5.2's RunPlanner::runThread stops
+// its clock when solve(ptc, 0.1) has returned, whose termination condition polls in a thread of its
+// own, which its destructor joins: the thread sleeps 1 ms at a time and has to be scheduled to
+// notice. So the clock of the comparison is within the planner.
 namespace voronaut {
 namespace {
 
+namespace ob = ompl::base;
+
 constexpr double kClearance_m = 0.01;
-constexpr int kRuns = 20;  // of each query
 constexpr ProcessLimits kLimits;
 
 struct Circles {
@@ -57,100 +72,181 @@ Circles read(const std::string& folder) {
   return read;
 }
 
-// Of the runs of one query: medians, as other work on the machine stretches single runs.
-struct Sums {
-  double time_us = 0;
-  int solved = 0;
+struct Run {
+  double solve_us = 0;      // wall time within solve()
+  double benchmark_us = 0;  // what ompl::tools::Benchmark writes as `time`
+  std::uint64_t checks = 0;
+  bool solved = false;
 };
 
-double median(std::vector<double> values) {
-  if (values.empty()) return 0;
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
+std::string to_text(const Run& run) {
+  std::ostringstream text;
+  text << run.solve_us << ' ' << run.benchmark_us << ' ' << run.checks << ' ' << run.solved << '\n';
+  return text.str();
 }
 
-Sums through_us(const TrialSpec& query) {
+std::vector<Run> runs_of(const std::string& text) {
+  std::istringstream in(text);
+  std::vector<Run> runs;
+  Run run;
+  while (in >> run.solve_us >> run.benchmark_us >> run.checks >> run.solved) runs.push_back(run);
+  return runs;
+}
+
+std::uint64_t seed_of(const TrialSpec& query, int run) {
+  return derive_seed(1, {query.scenario.name}, run);
+}
+
+std::vector<Run> through_us(const TrialSpec& query, int runs) {
   const PlannerCatalog planners = PlannerCatalog::built_in();
-  Sums sums;
-  std::vector<double> times_us;
-  for (int run = 0; run < kRuns; ++run) {
+  std::string text;
+  for (int run = 0; run < runs; ++run) {
     TrialSpec spec = query;
-    spec.planner_seed = derive_seed(1, {query.scenario.name}, run);
-    const ChildReport child = run_in_child(
-        [&] {
-          const RunRecord row = run_known_trial(spec, planners, false).record;
-          return std::to_string(row.planning_time_us_mean) + " " +
-                 (row.outcome == Outcome::goal_reached ? "1" : "0");
-        },
-        kLimits);
-    std::istringstream text(child.output);
-    double time_us = 0;
-    int solved = 0;
-    text >> time_us >> solved;
-    times_us.push_back(time_us);
-    sums.solved += solved;
+    spec.planner_seed = seed_of(query, run);
+    text += run_in_child(
+                [&] {
+                  const RunRecord row = run_known_trial(spec, planners, false).record;
+                  return to_text({row.planning_time_us_mean, 0,
+                                  static_cast<std::uint64_t>(row.state_checks),
+                                  row.outcome == Outcome::goal_reached});
+                },
+                kLimits)
+                .output;
   }
-  sums.time_us = median(times_us);
-  return sums;
+  return runs_of(text);
 }
 
-Sums through_ompl(const TrialSpec& query) {
+// Keeps a clock around the search itself, and tells Benchmark of it as a property of the run.
+class ClockedRRTConnect : public ompl::geometric::RRTConnect {
+ public:
+  ClockedRRTConnect(const ob::SpaceInformationPtr& si, const KnownProblem& problem)
+      : RRTConnect(si), problem_(problem) {}
+
+  ob::PlannerStatus solve(const ob::PlannerTerminationCondition& condition) override {
+    const std::uint64_t checks_before = problem_.state_checks();
+    const auto start = std::chrono::steady_clock::now();
+    const ob::PlannerStatus status = RRTConnect::solve(condition);
+    spent_ = std::chrono::steady_clock::now() - start;
+    checks_ = problem_.state_checks() - checks_before;
+    return status;
+  }
+
+  void getPlannerData(ob::PlannerData& data) const override {
+    RRTConnect::getPlannerData(data);
+    data.properties["solve time REAL"] = std::to_string(spent_.count());
+    data.properties["state checks INTEGER"] = std::to_string(checks_);
+  }
+
+ private:
+  const KnownProblem& problem_;
+  std::chrono::duration<double, std::micro> spent_{};
+  std::uint64_t checks_ = 0;
+};
+
+// What draws a seed in a trial before RRTConnect's sampler does: the planner, and the choice of
+// pivots in the nearest-neighbour structure of each of its two trees. Benchmark makes them once.
+void seed_as_a_trial(std::uint64_t planner_seed) {
+  ompl::RNG::setSeed(static_cast<std::uint_fast32_t>(planner_seed % 0x7fffffffU) + 1);
+  const std::array<ompl::RNG, 3> before_the_sampler;
+}
+
+std::vector<Run> through_ompl(const TrialSpec& query, int runs) {
   const ChildReport child = run_in_child(
       [&] {
-        ompl::RNG::setSeed(derive_seed(2, {query.scenario.name}, 0) % 0x7fffffff + 1);
         const KnownProblem problem(query.scenario, query.vehicle.clearance_min_m);
         ompl::geometric::SimpleSetup setup(problem.space_information());
-        setup.addStartState(ompl::base::ScopedState<>(problem.space_information()->getStateSpace(),
-                                                      problem.definition()->getStartState(0)));
+        setup.addStartState(ob::ScopedState<>(problem.space_information()->getStateSpace(),
+                                              problem.definition()->getStartState(0)));
         setup.setGoal(problem.definition()->getGoal());
         ompl::tools::Benchmark benchmark(setup, query.scenario.name);
-        benchmark.addPlanner(
-            PlannerCatalog::built_in().find("RRTConnect")->make(problem.space_information()));
-        benchmark.benchmark({10, 1024, kRuns, 0.05, false, false, false});
-        std::vector<double> times_us;
-        int solved = 0;
-        for (const auto& run : benchmark.getRecordedExperimentData().planners.front().runs) {
-          times_us.push_back(1e6 * std::stod(run.at("time REAL")));
-          solved += run.at("solved BOOLEAN") == "1" ? 1 : 0;
-        }
-        return std::to_string(median(times_us)) + " " + std::to_string(solved);
+        const auto planner =
+            std::make_shared<ClockedRRTConnect>(problem.space_information(), problem);
+        benchmark.addPlanner(planner);
+        int run = 0;
+        benchmark.setPreRunEvent(
+            [&](const ob::PlannerPtr&) { seed_as_a_trial(seed_of(query, run++)); });
+        benchmark.benchmark({10, 1024, static_cast<unsigned>(runs), 0.05, false, false, false});
+        std::string text;
+        for (const auto& row : benchmark.getRecordedExperimentData().planners.front().runs)
+          text += to_text(
+              {std::stod(row.at("solve time REAL")), 1e6 * std::stod(row.at("time REAL")),
+               std::stoull(row.at("state checks INTEGER")), row.at("solved BOOLEAN") == "1"});
+        return text;
       },
       kLimits);
-  Sums sums;
-  std::istringstream(child.output) >> sums.time_us >> sums.solved;
-  return sums;
+  return runs_of(child.output);
 }
 
-int compare(const std::string& folder) {
+TrialSpec query_of(const Circles& circles, std::size_t index) {
+  TrialSpec spec;
+  spec.scenario.name = "query-" + std::to_string(index);
+  spec.scenario.world = circles.world;
+  spec.scenario.start_world = circles.queries[index].first;
+  spec.scenario.goal_world = circles.queries[index].second;
+  spec.scenario.goal_tolerance_m = 1e-3;
+  spec.vehicle.clearance_min_m = kClearance_m;
+  spec.planner = {"RRTConnect", "RRTConnect", {}};
+  return spec;
+}
+
+// Share 0.5 is the median: other work on the machine stretches single runs.
+double quantile(std::vector<double> values, double share) {
+  if (values.empty()) return 0;
+  const auto place =
+      values.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
+  std::nth_element(values.begin(), place, values.end());
+  return *place;
+}
+
+double median_us(const std::vector<Run>& runs, double Run::*time_us) {
+  std::vector<double> values;
+  for (const Run& run : runs) values.push_back(run.*time_us);
+  return quantile(values, 0.5);
+}
+
+// Sums over the queries; of the runs of one query the medians.
+struct Comparison {
+  double ours_us = 0, solve_us = 0, benchmark_us = 0;
+  std::vector<double> ratios;  // of each query
+  int runs = 0;
+  int same_work = 0;  // solved both ways with the same number of state checks
+
+  void add(const std::vector<Run>& us, const std::vector<Run>& ompl) {
+    const double us_us = median_us(us, &Run::solve_us), ompl_us = median_us(ompl, &Run::solve_us);
+    ours_us += us_us;
+    solve_us += ompl_us;
+    benchmark_us += median_us(ompl, &Run::benchmark_us);
+    ratios.push_back(us_us / ompl_us);
+    for (std::size_t i = 0; i < std::min(us.size(), ompl.size()); ++i)
+      same_work += us[i].solved && ompl[i].solved && us[i].checks == ompl[i].checks ? 1 : 0;
+  }
+
+  void print() const {
+    const auto n = static_cast<double>(ratios.size());
+    std::printf("RRTConnect: mean of the medians of %zu queries, us\n", ratios.size());
+    std::printf("  %-44s %10.1f\n", "voronaut, kind: known", ours_us / n);
+    std::printf("  %-44s %10.1f\n", "ompl::tools::Benchmark, within solve()", solve_us / n);
+    std::printf("  %-44s %10.1f\n", "ompl::tools::Benchmark, its property time", benchmark_us / n);
+    std::printf("ratio within solve() %.3f, of single queries %.3f .. %.3f (quartiles)\n",
+                ours_us / solve_us, quantile(ratios, 0.25), quantile(ratios, 0.75));
+    std::printf("the same work both ways, and solved: %d of %d runs\n", same_work, runs);
+  }
+};
+
+int compare(const std::string& folder, int runs) {
   const Circles circles = read(folder);
   if (circles.queries.empty()) {
     std::cerr << folder << ": no circle_queries.txt here\n";
     return 2;
   }
-  Sums ours, theirs;
+  Comparison comparison;
   for (std::size_t i = 0; i < circles.queries.size(); ++i) {
-    TrialSpec spec;
-    spec.scenario.name = "query-" + std::to_string(i);
-    spec.scenario.world = circles.world;
-    spec.scenario.start_world = circles.queries[i].first;
-    spec.scenario.goal_world = circles.queries[i].second;
-    spec.scenario.goal_tolerance_m = 1e-3;
-    spec.vehicle.clearance_min_m = kClearance_m;
-    spec.planner = {"RRTConnect", "RRTConnect", {}};
-    const Sums us = through_us(spec), ompl = through_ompl(spec);
-    ours.time_us += us.time_us, ours.solved += us.solved;
-    theirs.time_us += ompl.time_us, theirs.solved += ompl.solved;
+    const TrialSpec spec = query_of(circles, i);
+    comparison.add(through_us(spec, runs), through_ompl(spec, runs));
+    comparison.runs += runs;
   }
-  const auto queries = static_cast<double>(circles.queries.size());
-  const double n = kRuns * queries;
-  std::printf("%-24s %10s %10s\n", "RRTConnect", "median us", "solved");
-  std::printf("%-24s %10.1f %7d of %.0f\n", "voronaut, kind: known", ours.time_us / queries,
-              ours.solved, n);
-  std::printf("%-24s %10.1f %7d of %.0f\n", "ompl::tools::Benchmark", theirs.time_us / queries,
-              theirs.solved, n);
-  std::printf("ratio %.3f\n", ours.time_us / theirs.time_us);
-  return 0;
+  comparison.print();
+  return comparison.same_work == comparison.runs ? 0 : 1;
 }
 
 }  // namespace
@@ -158,9 +254,10 @@ int compare(const std::string& folder) {
 
 int main(int argc, char** argv) {
   ompl::msg::setLogLevel(ompl::msg::LOG_NONE);
-  if (argc != 2) {
-    std::cerr << "usage: voronaut-known-against-ompl FOLDER\n";
+  const int runs = argc > 2 ? std::atoi(argv[2]) : 20;
+  if (argc < 2 || argc > 3 || runs < 1) {
+    std::cerr << "usage: voronaut-known-against-ompl FOLDER [RUNS]\n";
     return 2;
   }
-  return voronaut::compare(argv[1]);
+  return voronaut::compare(argv[1], runs);
 }

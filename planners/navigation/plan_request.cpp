@@ -40,8 +40,9 @@ Plan ask_for_plan(ob::Planner& planner, const PlannerTraits& traits, PlanningPro
   Plan plan;
   plan.end = end;
   plan.status = status_of(solved, traits.plans_on_every_scan);
+  if (plan.status == PlanStatus::refused) plan.mode = solved.asString();
   if (insight != nullptr) {
-    plan.mode = insight->mode();
+    if (plan.mode.empty()) plan.mode = insight->mode();
     if (!solved && insight->proved_no_path()) plan.status = PlanStatus::infeasible;
   }
   if (plan.status == PlanStatus::to_goal || plan.status == PlanStatus::partial) {

@@ -16,13 +16,13 @@ enum class PlanStatus {
   partial,     // a reactive planner's next leg: ends short of the goal on purpose
   none,        // no path within the budget
   infeasible,  // proved: no path exists on what is known
-  refused,     // the planner cannot take this problem: invalid start or goal, unknown goal type
+  refused,     // invalid start or goal, unknown goal type, says the planner: no proof of anything
 };
 
 struct Plan {
   PlanStatus status = PlanStatus::none;
   Path path;         // empty unless to_goal or partial
-  std::string mode;  // the planner's own word for what it does, empty if it has none
+  std::string mode;  // the planner's own word for what it does, or OMPL's for why it refused
   SolveEnd end = SolveEnd::planner;
 };
 

@@ -1,6 +1,8 @@
 #include "voronaut/benchmarks/episode/episode.h"
 
 #include <gtest/gtest.h>
+#include <ompl/base/goals/GoalState.h>
+#include <ompl/geometric/PathGeometric.h>
 
 #include "voronaut/benchmarks/episode/episode_trace.h"
 #include "voronaut/environments/world.h"
@@ -151,6 +153,55 @@ TEST(Episode, TurningTheWorldTurnsTheFlightOfTheRepairedPlanner) {
   EXPECT_EQ(straight.modes, quarter.modes);
   EXPECT_NEAR(straight.path_length_m, quarter.path_length_m, 1e-6);
   EXPECT_NEAR(straight.clearance_min_m, quarter.clearance_min_m, 1e-6);
+}
+
+// Says that its start is not valid so many times, and flies straight to the goal after that.
+class Refuser : public ompl::base::Planner {
+ public:
+  Refuser(const ompl::base::SpaceInformationPtr& si, int refusals)
+      : Planner(si, "Refuser"), refusals_(refusals) {}
+
+  ompl::base::PlannerStatus solve(const ompl::base::PlannerTerminationCondition&) override {
+    if (refusals_-- > 0) return ompl::base::PlannerStatus::INVALID_START;
+    pdef_->addSolutionPath(std::make_shared<ompl::geometric::PathGeometric>(
+                               si_, pdef_->getStartState(0),
+                               pdef_->getGoal()->as<ompl::base::GoalState>()->getState()),
+                           false, 0, getName());
+    return ompl::base::PlannerStatus::EXACT_SOLUTION;
+  }
+
+ private:
+  int refusals_;
+};
+
+RunRecord flown_by_a_refuser(int refusals) {
+  PlannerCatalog catalog = PlannerCatalog::built_in();
+  catalog.add({"Refuser", "refuses its start", {}, [refusals](const auto& si) {
+                 return std::make_shared<Refuser>(si, refusals);
+               }});
+  return run_trial(trial(around({}, Vec2(8, 0)), "ideal", "Refuser"), catalog, false).record;
+}
+
+TEST(Episode, APlannerThatRefusesItsStartIsAskedAgain) {
+  const RunRecord record = flown_by_a_refuser(3);
+  EXPECT_EQ(record.outcome, Outcome::goal_reached) << record.reason;
+  EXPECT_EQ(record.replans, 4);
+}
+
+TEST(Episode, APlannerThatRefusesForEverHasProvedNothing) {
+  const RunRecord record = flown_by_a_refuser(1'000'000);
+  EXPECT_EQ(record.outcome, Outcome::stuck);
+  EXPECT_TRUE(record.reason.ends_with("the planner refused: Invalid start")) << record.reason;
+}
+
+TEST(Episode, AGoalWithoutAPlaceIsInfeasibleWhoeverPlans) {
+  const std::vector<Circle> around_the_goal{{Vec2(8, 0), 0.2}};
+  const RunRecord record =
+      run_trial(trial(around(around_the_goal, Vec2(8, 0)), "ideal", "RRTConnect"), planners(),
+                false)
+          .record;
+  EXPECT_EQ(record.outcome, Outcome::infeasible);
+  EXPECT_EQ(record.reason, "no place at the goal keeps the clearance from what is known");
 }
 
 }  // namespace
