@@ -200,6 +200,7 @@ double quantile(std::vector<double> values, double share) {
 
 double median_us(const std::vector<Run>& runs, double Run::*time_us) {
   std::vector<double> values;
+  values.reserve(runs.size());
   for (const Run& run : runs) values.push_back(run.*time_us);
   return quantile(values, 0.5);
 }
