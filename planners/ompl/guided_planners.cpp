@@ -118,10 +118,20 @@ class PlaneXxl : public og::XXL {
       : XXL(si, std::make_shared<PlaneCells>(si)) {}
 };
 
-// OMPL's constructor takes a list of spaces from coarse to fine: here the space itself, alone.
+// OMPL's constructor takes a list of spaces from coarse to fine: here the space itself, alone. In
+// 1.5.2 solve() does not set the planner up, as OMPL's contract has it, and clear() uses null
+// pointers before that.
 class OneLevelQrrt : public og::QRRT {
  public:
   explicit OneLevelQrrt(const ob::SpaceInformationPtr& si) : OneLevelQrrt(List{si}) {}
+
+  ob::PlannerStatus solve(const ob::PlannerTerminationCondition& condition) override {
+    checkValidity();
+    return MultiQuotient::solve(condition);
+  }
+  void clear() override {
+    if (isSetup()) MultiQuotient::clear();
+  }
 
  private:
   using List = std::vector<ob::SpaceInformationPtr>;
@@ -132,7 +142,7 @@ class OneLevelQrrt : public og::QRRT {
 
 std::vector<PlannerEntry> guided_planners() {
   return {
-      ompl_entry<OneLevelQrrt>("QRRT", "quotient space RRT, on one level (1.5.2 crashes)"),
+      ompl_entry<OneLevelQrrt>("QRRT", "quotient space RRT, on one level"),
       ompl_entry<PlaneRrt>("TSRRT", "task space RRT, the plane as its task space"),
       ompl_entry<GoalFieldRrt>("VFRRT", "RRT along a vector field: the pull of the goal"),
       ompl_entry<PlaneXxl>("XXL", "search over cells, 16 x 16 of the plane"),
