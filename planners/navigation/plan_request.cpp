@@ -31,7 +31,7 @@ Plan ask_for_plan(ob::Planner& planner, const PlannerTraits& traits, PlanningPro
                   const PlanningBudget& budget) {
   if (!traits.plans_on_every_scan) {
     if (!problem.goal_has_place()) return {PlanStatus::infeasible, {}, {}, {}};
-    planner.clear();
+    if (planner.isSetup()) planner.clear();
   }
   planner.setProblemDefinition(problem.definition());
   const auto [solved, end] = solve_within(planner, problem.meter(budget));

@@ -118,20 +118,10 @@ class PlaneXxl : public og::XXL {
       : XXL(si, std::make_shared<PlaneCells>(si)) {}
 };
 
-// OMPL's constructor takes a list of spaces from coarse to fine: here the space itself, alone. In
-// 1.5.2 solve() does not set the planner up, as OMPL's contract has it, and clear() uses null
-// pointers before that.
+// OMPL's constructor takes a list of spaces from coarse to fine: here the space itself, alone.
 class OneLevelQrrt : public og::QRRT {
  public:
   explicit OneLevelQrrt(const ob::SpaceInformationPtr& si) : OneLevelQrrt(List{si}) {}
-
-  ob::PlannerStatus solve(const ob::PlannerTerminationCondition& condition) override {
-    checkValidity();
-    return MultiQuotient::solve(condition);
-  }
-  void clear() override {
-    if (isSetup()) MultiQuotient::clear();
-  }
 
  private:
   using List = std::vector<ob::SpaceInformationPtr>;

@@ -114,6 +114,8 @@ SolveReport solve_within(ob::Planner& planner, const BudgetMeter& meter,
       meter.stop() == PlanningBudget::Stop::first && planner.getSpecs().optimizingPaths;
   ob::PlannerTerminationCondition condition = meter.condition();
   if (first && !planner.isSetup()) be_content_with_any_path(planner.getProblemDefinition());
+  // Not every planner does this when it solves: QRRT and AnytimePathShortening of OMPL 1.5.2.
+  if (!planner.isSetup()) planner.setup();
   // A property is read between the steps of the search: not where several threads search.
   const auto best_cost = planner.getSpecs().multithreaded ? nullptr : best_cost_of(planner);
   if (best_cost && (first || improvements != nullptr)) {

@@ -16,7 +16,7 @@ namespace voronaut {
 namespace {
 
 // OMPL 1.5.2 ends the process itself: docs/ompl.md says how.
-const std::set<std::string> kMayCrash = {"AITstar", "LazyLBTRRT", "QRRT"};
+const std::set<std::string> kMayCrash = {"AITstar", "LazyLBTRRT"};
 
 std::string suite_text(const std::string& traces) {
   std::string text =
