@@ -44,7 +44,8 @@ std::vector<std::string> settings_of(const Json& manifest, const std::string& la
   for (const Json& planner : manifest.value(Json::json_pointer("/configuration/planners"), none)) {
     if (planner.value("label", "") != label) continue;
     settings.push_back("planner = " + planner.value("name", ""));
-    for (const auto& [key, value] : planner.value("params", Json::object()).items())
+    const Json params = planner.value("params", Json::object());
+    for (const auto& [key, value] : params.items())
       settings.push_back(key + " = " +
                          (value.is_string() ? value.get<std::string>() : value.dump()));
   }

@@ -175,6 +175,17 @@ TEST_F(CommandLine, FindsNothingWrongWithTheSuitesThatShip) {
   EXPECT_GE(suites, 6);
 }
 
+TEST_F(CommandLine, ExportsPlannersWithTheirParameters) {
+  write("tuned.yaml",
+        "suite: tuned\nkind: known\nscenarios: [{name: open, world: {circles: [[2, 3, 0.5]]}, "
+        "bounds: [[-2, -2], [5, 5]], start: [0, 0], goal: [2, 1]}]\nvehicles: [ideal]\nplanners: "
+        "[{name: RRTConnect, label: short, params: {range: 0.5}}]\n");
+  ASSERT_EQ(voronaut("run tuned.yaml --out r").exit_code, 0);
+  EXPECT_EQ(voronaut("export r --format plannerarena").exit_code, 0);
+  ASSERT_EQ(voronaut("export r --format ompl-log").exit_code, 0);
+  EXPECT_THAT(text_of(path("r/export.log")), HasSubstr("\nplanner = RRTConnect\nrange = 0.5\n"));
+}
+
 TEST_F(CommandLine, RunsASuiteAndAnswersQuestionsAboutIt) {
   write_open_suite();
   const Answer run = voronaut("run open.yaml --out r --jobs 2");
