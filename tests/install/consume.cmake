@@ -1,8 +1,8 @@
-# Installs this build into a folder of its own, builds the consumer against it and runs it:
-# cmake -DBUILD_DIR=... -DSOURCE_DIR=... -DCXX=... -P consume.cmake
+# Installs this build into a folder of its own, and builds and runs the installed examples against it:
+# cmake -DBUILD_DIR=... -DCXX=... -P consume.cmake
 set(prefix "${BUILD_DIR}/install-test/prefix")
-set(consumer "${BUILD_DIR}/install-test/consumer")
-file(REMOVE_RECURSE "${prefix}" "${consumer}")
+set(examples "${BUILD_DIR}/install-test/examples")
+file(REMOVE_RECURSE "${prefix}" "${examples}")
 
 function(run)
   execute_process(COMMAND ${ARGN} RESULT_VARIABLE failed OUTPUT_VARIABLE text ERROR_VARIABLE text)
@@ -14,22 +14,16 @@ function(run)
 endfunction()
 
 run("${CMAKE_COMMAND}" --install "${BUILD_DIR}" --prefix "${prefix}")
-run("${CMAKE_COMMAND}" -S "${SOURCE_DIR}/tests/install" -B "${consumer}" -G Ninja
-    -DCMAKE_BUILD_TYPE=Release -DCMAKE_CXX_COMPILER=${CXX} -DCMAKE_PREFIX_PATH=${prefix})
-run("${CMAKE_COMMAND}" --build "${consumer}")
-run("${consumer}/consumer")
-message(STATUS "${output}")
 run("${prefix}/bin/voronaut" list suites)
 if(NOT output MATCHES "quadrotor-paper")
   message(FATAL_ERROR "the installed program does not find the suites that ship:\n${output}")
 endif()
 
-# The examples as projects of their own, and the plugin in the installed program.
-set(examples "${BUILD_DIR}/install-test/examples")
-file(REMOVE_RECURSE "${examples}")
-run("${CMAKE_COMMAND}" -S "${SOURCE_DIR}/benchmarks/examples" -B "${examples}" -G Ninja
+run("${CMAKE_COMMAND}" -S "${prefix}/share/voronaut/examples" -B "${examples}" -G Ninja
     -DCMAKE_BUILD_TYPE=Release -DCMAKE_CXX_COMPILER=${CXX} -DCMAKE_PREFIX_PATH=${prefix})
 run("${CMAKE_COMMAND}" --build "${examples}")
+run("${examples}/ompl_benchmark")
+message(STATUS "${output}")
 run("${examples}/own_program" list planners)
 if(NOT output MATCHES "StraightLine")
   message(FATAL_ERROR "the program of three lines does not list its planner:\n${output}")

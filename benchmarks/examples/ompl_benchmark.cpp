@@ -8,7 +8,8 @@
 
 namespace ob = ompl::base;
 
-// A disc near the middle of a square, known to OMPL through a validity checker alone.
+// Our planners in OMPL's own benchmark: a disc near the middle of a square, known to all of them
+// through a validity checker alone.
 int main() {
   auto space = std::make_shared<ob::RealVectorStateSpace>(2);
   space->setBounds(-5, 5);
@@ -24,8 +25,8 @@ int main() {
   setup.setStartAndGoalStates(start, goal, 0.2);
 
   const auto planners = voronaut::PlannerCatalog::built_in();
-  ompl::tools::Benchmark benchmark(setup, "consumer");
-  for (const char* name : {"VoronoiRoadmap", "ReactiveVoronoi", "RRTConnect"}) {
+  ompl::tools::Benchmark benchmark(setup, "disc");
+  for (const char* name : {"VoronoiRoadmap", "ReactiveVoronoi", "PotentialField", "RRTConnect"}) {
     const auto planner = planners.find(name)->make(setup.getSpaceInformation());
     if (planner->params().hasParam("preset")) planner->params().setParam("preset", "repaired");
     benchmark.addPlanner(planner);
