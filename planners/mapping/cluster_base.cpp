@@ -40,37 +40,48 @@ void ClusterBase::mark_changed(ClusterId id) {
 void ClusterBase::append(ClusterId id, PointId point, std::span<const Vec2> points) {
   const Vec2& p = points[point];
   Cluster& cluster = clusters_[id];
-  if (point >= label_.size()) {
-    label_.resize(point + 1);
-    next_member_.resize(point + 1);
-  }
-  label_[point] = id;
-  next_member_[point] = kNone;
+  if (members_.size() < points.size()) members_.resize(points.size());
+  members_[point] = {id, kNone};
   if (cluster.first == kNone) {
     cluster.first = point;
     cluster.box = {p, p};
   } else {
-    next_member_[cluster.last] = point;
+    members_[cluster.last].next = point;
     grow_to_hold(cluster.box, p);
   }
   cluster.last = point;
-  add_to_convex_hull(cluster.hull, p, cluster.newest_vertex);
-  boxes_.place(id, cluster.box);
   mark_changed(id);
 }
 
-void ClusterBase::unite(ClusterId older, ClusterId younger) {
+void ClusterBase::complete_hull(Cluster& cluster, std::span<const Vec2> points) {
+  if (cluster.last_in_hull == cluster.last) return;
+  PointId p = cluster.last_in_hull == kNone ? cluster.first : members_[cluster.last_in_hull].next;
+  for (; p != kNone; p = members_[p].next) {
+    add_to_convex_hull(cluster.hull, points[p], cluster.newest_vertex);
+  }
+  cluster.last_in_hull = cluster.last;
+}
+
+// Before their members are united. No member is added to a hull more than once.
+void ClusterBase::unite_hulls(Cluster& a, Cluster& b, std::span<const Vec2> points) {
+  if (a.last_in_hull == kNone && b.last_in_hull == kNone) return;
+  complete_hull(a, points);
+  complete_hull(b, points);
+  a.hull.insert(a.hull.end(), b.hull.begin(), b.hull.end());
+  reduce_to_convex_hull(a.hull);
+  a.last_in_hull = b.last;
+  b.hull = {};
+}
+
+void ClusterBase::unite(ClusterId older, ClusterId younger, std::span<const Vec2> points) {
   Cluster& a = clusters_[older];
   Cluster& b = clusters_[younger];
-  next_member_[a.last] = b.first;
+  unite_hulls(a, b, points);
+  members_[a.last].next = b.first;
   a.last = b.last;
   grow_to_hold(a.box, b.box.min);
   grow_to_hold(a.box, b.box.max);
-  a.hull.insert(a.hull.end(), b.hull.begin(), b.hull.end());
-  reduce_to_convex_hull(a.hull);
-  b.hull = {};
   merged_into_[younger] = older;
-  boxes_.place(older, a.box);
   boxes_.remove(younger);
   --living_;
   mark_changed(older);
@@ -81,7 +92,8 @@ ClusterId ClusterBase::component_of(ClusterId id) const {
   return id;
 }
 
-std::size_t ClusterBase::merge_components(std::vector<Pair>& pairs) {
+std::size_t ClusterBase::merge_components(std::vector<Pair>& pairs, std::span<const Vec2> points) {
+  if (pairs.empty()) return 0;
   in_pairs_.clear();
   for (const Pair& pair : pairs) {
     const ClusterId a = component_of(pair.a);
@@ -97,33 +109,34 @@ std::size_t ClusterBase::merge_components(std::vector<Pair>& pairs) {
     if (merged_into_[id] != id) continue;  // listed twice
     const ClusterId oldest = component_of(id);
     if (oldest == id) continue;
-    unite(oldest, id);
+    unite(oldest, id, points);
     ++merges;
   }
   for (const ClusterId id : in_pairs_) clusters_[id].component = id;
   return merges;
 }
 
-bool ClusterBase::related(const Cluster& a, const Cluster& b, std::span<const Vec2> points,
-                          MergeCounts& counts) const {
-  if (boxes_touch(a.box, b.box)) {
-    ++counts.pairs_tested;
-    if (convex_polygons_touch_in_boxes(a.hull, b.hull)) return true;
-  }
+// Extreme points first: they are asked at once, and mostly they decide before boxes touch.
+bool ClusterBase::related(Cluster& a, Cluster& b, std::span<const Vec2> points,
+                          MergeCounts& counts) {
   const double merge_sq = merge_distance_m_ * merge_distance_m_;
   for (const PointId i : {a.first, a.last}) {
     for (const PointId j : {b.first, b.last}) {
       if (distance_sq(points[i], points[j]) < merge_sq) return true;
     }
   }
-  return false;
+  if (!boxes_touch(a.box, b.box)) return false;
+  ++counts.pairs_tested;
+  complete_hull(a, points);
+  complete_hull(b, points);
+  return convex_polygons_touch_in_boxes(a.hull, b.hull);
 }
 
 void ClusterBase::collect_related(ClusterId id, std::span<const Vec2> points, MergeCounts& counts) {
-  const Cluster& cluster = clusters_[id];
+  Cluster& cluster = clusters_[id];
   const Bounds reach = grown(cluster.box, merge_distance_m_ * kRoundingMargin);
   boxes_.for_each_near(reach, [&](ClusterId other) {
-    const Cluster& candidate = clusters_[other];
+    Cluster& candidate = clusters_[other];
     if (!boxes_touch(reach, candidate.box)) return;
     // A pair of changed clusters is asked once, from its older one.
     if (other == id || (candidate.changed && other < id)) return;
@@ -134,12 +147,11 @@ void ClusterBase::collect_related(ClusterId id, std::span<const Vec2> points, Me
 ClusterBase::MergeCounts ClusterBase::merge_related(std::span<const Vec2> points) {
   MergeCounts counts;
   while (!changed_.empty()) {
-    for (const ClusterId id : changed_) {
-      if (merged_into_[id] == id) collect_related(id, points, counts);
-    }
+    for (const ClusterId id : changed_) boxes_.place(id, clusters_[id].box);
+    for (const ClusterId id : changed_) collect_related(id, points, counts);
     for (const ClusterId id : changed_) clusters_[id].changed = false;
     changed_.clear();
-    counts.merges += merge_components(related_);
+    counts.merges += merge_components(related_, points);
   }
   return counts;
 }
@@ -155,8 +167,15 @@ std::vector<ClusterId> ClusterBase::living_ids() const {
 
 std::vector<PointId> ClusterBase::members(ClusterId id) const {
   std::vector<PointId> ids;
-  for (PointId p = first_stored(id); p != kNone; p = next_member_[p]) ids.push_back(p);
+  for (PointId p = first_stored(id); p != kNone; p = members_[p].next) ids.push_back(p);
   return ids;
+}
+
+std::vector<Vec2> ClusterBase::hull(ClusterId id, std::span<const Vec2> points) const {
+  std::vector<Vec2> hull;
+  for (const PointId p : members(id)) hull.push_back(points[p]);
+  reduce_to_convex_hull(hull);
+  return hull;
 }
 
 }  // namespace voronaut

@@ -36,17 +36,17 @@ const ObstacleBaseConfig& checked(const ObstacleBaseConfig& config) {
 ObstacleBase::ObstacleBase(const ObstacleBaseConfig& config)
     : config_(checked(config)),
       clusterer_(config.link_distance_m, config.thinning_distance_m),
-      returns_(clusterer_.listing_distance_m(), clusterer_.jump_distance_m()),
+      returns_(clusterer_.listing_distance_m(), config.link_distance_m),
       points_(config.thinning_distance_m),
       clusters_(config.merge_distance_m) {}
 
 const UpdateReport& ObstacleBase::update(const Scan& scan) {
   const auto first_new = static_cast<PointId>(points_.size());
-  read_and_represent(scan);
+  read_and_represent(scan, first_new);
   clusterer_.cluster(returns_);
   join_scan_clusters(first_new);
 
-  const std::size_t bridges = clusters_.merge_components(bridged_);
+  const std::size_t bridges = clusters_.merge_components(bridged_, points_.points());
   append_new_points();
   const ClusterBase::MergeCounts merged = clusters_.merge_related(points_.points());
 
@@ -64,13 +64,14 @@ const UpdateReport& ObstacleBase::update(const Scan& scan) {
 
 // Stage 2. Neighbouring returns mostly have the same representative, and the next one is mostly the
 // one that followed it before: look-ups are left for new ground, jumps in range and other views.
-void ObstacleBase::read_and_represent(const Scan& scan) {
+void ObstacleBase::read_and_represent(const Scan& scan, PointId first_new) {
   const double thinning_sq = config_.thinning_distance_m * config_.thinning_distance_m;
   if (scan.size() > representatives_.size()) representatives_.resize(scan.size());
   Representative* change = representatives_.data();
   PackedPoint current = packed(Vec2::Constant(std::numeric_limits<double>::infinity()));
   std::size_t follower = 0;
-  returns_.read(scan, [&, this](PackedPoint p, const auto& index) {
+  ClusterId label = kNoCluster;
+  returns_.read(scan, [&, this](PackedPoint p, std::size_t beam) {
     if (distance_sq(p, current) < thinning_sq) return;
     Known next{followed_by_[follower], false};
     if (next.point == PointIndex::kNone ||
@@ -80,7 +81,12 @@ void ObstacleBase::read_and_represent(const Scan& scan) {
     }
     current = packed(points_[next.point]);
     follower = std::size_t{next.point} + 1;
-    *change++ = {index(), next.point, next.stored_now};
+    // Those of one cluster bring nothing new to joining.
+    const ClusterId label_of_next =
+        next.point < first_new ? clusters_.label(next.point) : kNoCluster;
+    if (label_of_next == label && label != kNoCluster) return;
+    label = label_of_next;
+    *change++ = {static_cast<std::uint32_t>(beam), next.point, next.stored_now};
   });
   representative_count_ = static_cast<std::size_t>(change - representatives_.data());
 }
@@ -103,19 +109,15 @@ void ObstacleBase::join_scan_clusters(PointId first_new) {
 
   const Representative* next = representatives_.data();
   const Representative* const end = next + representative_count_;
-  for (const ScanClusterer::Run& run : clusterer_.runs()) {
+  const std::span<const ScanReturns::Run> runs = returns_.runs();
+  for (std::size_t r = 0; r < runs.size(); ++r) {
+    const std::uint32_t cluster = clusterer_.cluster_of_run(r);
     // A run may begin with the representative of the run before it.
-    if (next == end || next->from_return != run.begin) {
-      join(run.cluster, {run.begin, next[-1].point, false}, first_new);
+    if (next == end || next->from_beam != runs[r].begin) {
+      join(cluster, {runs[r].begin, next[-1].point, false}, first_new);
     }
-    ClusterId same = kNoCluster;  // the label of the representative before
-    for (; next != end && next->from_return < run.end; ++next) {
-      if (next->point < first_new) {
-        const ClusterId label = clusters_.label(next->point);
-        if (label == same) continue;
-        same = label;
-      }
-      join(run.cluster, *next, first_new);
+    for (; next != end && next->from_beam < runs[r].end; ++next) {
+      join(cluster, *next, first_new);
     }
   }
 }
@@ -137,9 +139,9 @@ void ObstacleBase::join(std::uint32_t scan_cluster, const Representative& repres
   if (representative.stored_now) {
     // Returns before the one with which a cluster begins come after its last one.
     const std::uint32_t begin = clusterer_.first_return(scan_cluster);
-    const auto all = static_cast<std::uint32_t>(returns_.size());
-    const std::uint32_t i = representative.from_return;
-    new_points_.push_back({representative.point, scan_cluster, i < begin ? i + all : i});
+    const std::uint32_t i = representative.from_beam;
+    new_points_.push_back(
+        {representative.point, scan_cluster, i < begin ? i + returns_.beams() : i});
   } else if (representative.point < first_new) {
     meet(root(scan_cluster), clusters_.cluster_of(representative.point));
   } else {

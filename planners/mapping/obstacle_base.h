@@ -78,9 +78,10 @@ class ObstacleBase {
  private:
   friend class ObstacleSnapshot;
 
-  // From here on returns of the scan are represented by this stored point.
+  // From here on returns of the scan are represented by this stored point, or others of its
+  // cluster.
   struct Representative {
-    std::uint32_t from_return = 0;
+    std::uint32_t from_beam = 0;
     PointId point = 0;
     bool stored_now = false;
   };
@@ -95,7 +96,7 @@ class ObstacleBase {
   };
 
   std::uint64_t version() const { return points_at_version_.size() - 1; }
-  void read_and_represent(const Scan& scan);
+  void read_and_represent(const Scan& scan, PointId first_new);
   [[gnu::noinline]] Known find_or_store(const Vec2& p);
   void join_scan_clusters(PointId first_new);
   void join(std::uint32_t scan_cluster, const Representative& representative, PointId first_new);

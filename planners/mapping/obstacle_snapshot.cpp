@@ -43,8 +43,8 @@ PointId ObstacleSnapshot::last_stored(ClusterId id) const {
   return base_->clusters_.last_stored(id);
 }
 
-std::span<const Vec2> ObstacleSnapshot::hull(ClusterId id) const {
-  return base_->clusters_.hull(id);
+std::vector<Vec2> ObstacleSnapshot::hull(ClusterId id) const {
+  return base_->clusters_.hull(id, points());
 }
 
 std::optional<PointId> ObstacleSnapshot::nearest(const Vec2& p, double within_m) const {

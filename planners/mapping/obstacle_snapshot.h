@@ -35,8 +35,8 @@ class ObstacleSnapshot {
   PointId first_stored(ClusterId id) const;          // of the members in stored order
   PointId last_stored(ClusterId id) const;
   // Strictly convex, counter-clockwise, from the lexicographically smallest vertex; of one or two
-  // vertices too.
-  std::span<const Vec2> hull(ClusterId id) const;
+  // vertices too. O(members log members).
+  std::vector<Vec2> hull(ClusterId id) const;
 
   // Closest member point not farther than within_m, the earliest known of equally close ones.
   // O(cells in reach).

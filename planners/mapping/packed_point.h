@@ -2,6 +2,10 @@
 
 #include <cstring>
 
+#ifdef __SSE2__
+#include <emmintrin.h>
+#endif
+
 #include "voronaut/environments/shapes/geometry.h"
 
 // A point in one vector register: x and y go through the same operations at once, with the same
@@ -13,6 +17,21 @@ using PackedPoint __attribute__((vector_size(16))) = double;
 inline PackedPoint packed(const Vec2& p) { return PackedPoint{p.x(), p.y()}; }
 
 inline void store(PackedPoint p, Vec2& at) { std::memcpy(at.data(), &p, sizeof p); }
+
+inline bool all_eight_equal(const double* numbers, double value) {
+#ifdef __SSE2__
+  const __m128d values = _mm_set1_pd(value);
+  const auto two_equal = [=](int i) { return _mm_cmpeq_pd(_mm_loadu_pd(numbers + i), values); };
+  const __m128d equal =
+      _mm_and_pd(_mm_and_pd(two_equal(0), two_equal(2)), _mm_and_pd(two_equal(4), two_equal(6)));
+  return _mm_movemask_pd(equal) == 3;
+#else
+  for (int i = 0; i < 8; ++i) {
+    if (numbers[i] != value) return false;
+  }
+  return true;
+#endif
+}
 
 inline double distance_sq(PackedPoint a, PackedPoint b) {
   const PackedPoint apart = a - b;

@@ -16,27 +16,18 @@ namespace voronaut {
 // whose boxes are near each other the pairs of their thinned returns.
 class ScanClusterer {
  public:
-  struct Run {
-    std::uint32_t begin = 0;  // returns begin .. end - 1
-    std::uint32_t end = 0;
-    std::uint32_t listed_begin = 0;
-    std::uint32_t listed_end = 0;
-    std::uint32_t cluster = 0;  // index into clusters()
-    Bounds box;                 // of the listed returns; set if there are other runs
-  };
-
   ScanClusterer(double link_distance_m, double thinning_distance_m);
 
   // How returns must be thinned for it: at the thinning distance, and not at more than half of the
   // link distance, so that a return left out is linked to those around it.
   double listing_distance_m() const { return listing_distance_m_; }
-  // Listed returns closer than this leave no room between them for two that are not linked.
-  double jump_distance_m() const { return link_distance_m_ - listing_distance_m_; }
 
-  // `returns` are thinned at listing_distance_m() and jump at jump_distance_m().
+  // `returns` are thinned at listing_distance_m() and linked at the same distance, and stay until
+  // the answers are no longer asked.
   void cluster(const ScanReturns& returns);
 
-  std::span<const Run> runs() const { return runs_; }
+  // Of a run of the returns: index into clusters().
+  std::uint32_t cluster_of_run(std::size_t run) const { return cluster_of_run_[run]; }
   // In the order of their first beams. Valid, like the rest, until the next scan.
   std::span<ScanCluster> clusters() { return clusters_; }
   std::span<const ScanCluster> clusters() const { return clusters_; }
@@ -45,23 +36,27 @@ class ScanClusterer {
   std::uint32_t first_return(std::size_t cluster) const { return first_return_[cluster]; }
 
  private:
-  void split_into_runs(const ScanReturns& returns);
-  std::span<const Vec2> listed_world(const Run& run) const {
+  std::span<const Vec2> listed_world(const ScanReturns::Run& run) const {
     return listed_world_.subspan(run.listed_begin, run.listed_end - run.listed_begin);
   }
   void link_runs(const ScanReturns& returns);
-  bool runs_linked(const Run& a, const Run& b, const ScanReturns& returns) const;
-  bool returns_linked(const Run& a, const Run& b, const ScanReturns& returns) const;
-  std::span<const Vec2> represented(const Run& run, std::uint32_t listed,
-                                    const ScanReturns& returns) const;
+  bool runs_linked(std::size_t a, std::size_t b, const ScanReturns& returns) const;
+  bool returns_linked(const ScanReturns::Run& a, const ScanReturns::Run& b,
+                      const ScanReturns& returns) const;
+  // Visits the returns that a listed one stands for until one visit is true; was one?
+  template <class Visit>
+  bool any_represented(const ScanReturns::Run& run, std::uint32_t listed,
+                       const ScanReturns& returns, const Visit& visit) const;
   void list_clusters(const ScanReturns& returns);
   std::size_t gather(std::uint32_t cluster, std::size_t begin, const ScanReturns& returns);
   std::uint32_t behind_widest_gap(std::uint32_t cluster, const ScanReturns& returns) const;
 
   double link_distance_m_;
   double listing_distance_m_;
-  std::vector<Run> runs_;
+  std::span<const ScanReturns::Run> runs_;
   std::span<const Vec2> listed_world_;
+  std::vector<std::uint32_t> cluster_of_run_;
+  std::vector<Bounds> box_of_run_;    // of the listed returns; set if there are several runs
   std::vector<Vec2> gathered_world_;  // of clusters that are not one run
   std::vector<ScanCluster> clusters_;
   std::vector<std::uint32_t> first_return_;
