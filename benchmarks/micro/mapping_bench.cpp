@@ -168,7 +168,7 @@ void stage_read(benchmark::State& state) {
   ScanReturns returns(config.thinning_distance_m, config.link_distance_m);
   std::size_t i = 0;
   for (auto _ : state)
-    returns.read(scans[i++ % scans.size()].scan, [](PackedPoint, const auto&) {});
+    returns.read(scans[i++ % scans.size()].scan, [](PackedPoint, std::size_t) {});
 }
 BENCHMARK(stage_read)->Name("mapping/stage/read_returns")->ArgName("rays")->Arg(181)->Arg(720);
 
@@ -177,9 +177,9 @@ void stage_cluster(benchmark::State& state) {
   const ObstacleBaseConfig config;
   ScanClusterer clusterer(config.link_distance_m, config.thinning_distance_m);
   std::vector<ScanReturns> returns(
-      scans.size(), ScanReturns(clusterer.listing_distance_m(), clusterer.jump_distance_m()));
+      scans.size(), ScanReturns(clusterer.listing_distance_m(), config.link_distance_m));
   for (std::size_t i = 0; i < scans.size(); ++i)
-    returns[i].read(scans[i].scan, [](PackedPoint, const auto&) {});
+    returns[i].read(scans[i].scan, [](PackedPoint, std::size_t) {});
   std::size_t i = 0;
   for (auto _ : state) clusterer.cluster(returns[i++ % returns.size()]);
 }

@@ -53,6 +53,12 @@ class CellTiles {
   template <class Visit>
   bool any_of(Cell low, Cell high, const Visit& visit) const {
     using namespace tile_masks;
+    if (((low.x ^ high.x) | (low.y ^ high.y)) < 8) {
+      return any_in(find(low.x >> 3, low.y >> 3),
+                    kRowsFrom[low.y & 7] & kRowsUpTo[high.y & 7] & kColumnsFrom[low.x & 7] &
+                        kColumnsUpTo[high.x & 7],
+                    visit);
+    }
     const std::uint64_t first_columns = kColumnsFrom[low.x & 7];
     const std::uint64_t last_columns = kColumnsUpTo[high.x & 7];
     const std::uint32_t first_x = low.x >> 3;
@@ -63,13 +69,8 @@ class CellTiles {
       if (y == last_y) rows &= kRowsUpTo[high.y & 7];
       std::uint64_t cells = rows & first_columns;
       for (std::uint32_t x = first_x; x <= last_x; ++x, cells = rows) {
-        const Slot& slot = find(x, y);
         if (x == last_x) cells &= last_columns;
-        for (cells &= slot.occupied; cells != 0; cells &= cells - 1) {
-          if (visit(heads_[slot.tile][static_cast<std::size_t>(std::countr_zero(cells))])) {
-            return true;
-          }
-        }
+        if (any_in(find(x, y), cells, visit)) return true;
       }
     }
     return false;
@@ -82,6 +83,14 @@ class CellTiles {
     std::uint64_t occupied = 0;  // bit 8 * (y mod 8) + (x mod 8)
     std::uint64_t tile = 0;      // index into heads_
   };
+
+  template <class Visit>
+  bool any_in(const Slot& slot, std::uint64_t cells, const Visit& visit) const {
+    for (cells &= slot.occupied; cells != 0; cells &= cells - 1) {
+      if (visit(heads_[slot.tile][static_cast<std::size_t>(std::countr_zero(cells))])) return true;
+    }
+    return false;
+  }
 
   static std::uint32_t bit_of(Cell cell) { return 8 * (cell.y & 7) + (cell.x & 7); }
   static std::uint64_t key_of(std::uint32_t x, std::uint32_t y) {

@@ -37,10 +37,8 @@ void ClusterBase::mark_changed(ClusterId id) {
   changed_.push_back(id);
 }
 
-void ClusterBase::append(ClusterId id, PointId point, std::span<const Vec2> points) {
-  const Vec2& p = points[point];
+void ClusterBase::append(ClusterId id, PointId point, const Vec2& p) {
   Cluster& cluster = clusters_[id];
-  if (members_.size() < points.size()) members_.resize(points.size());
   members_[point] = {id, kNone};
   if (cluster.first == kNone) {
     cluster.first = point;

@@ -31,8 +31,13 @@ class ClusterBase {
 
   // A new cluster without members; append() at least one before anything else.
   ClusterId create();
-  // Points are appended in the order of their ids or not, each exactly once. O(1).
-  void append(ClusterId id, PointId point, std::span<const Vec2> points);
+  // For that many points.
+  void make_room(std::size_t points) {
+    if (points > members_.size()) members_.resize(points);
+  }
+  // Points are appended in the order of their ids or not, each exactly once, where room was made.
+  // O(1).
+  void append(ClusterId id, PointId point, const Vec2& p);
 
   // Makes one cluster of each connected component of the pairs: the members of older clusters
   // first. Returns the number of clusters that ceased. The pairs are living ids, and are consumed.

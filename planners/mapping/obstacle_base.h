@@ -78,16 +78,21 @@ class ObstacleBase {
  private:
   friend class ObstacleSnapshot;
 
-  // From here on returns of the scan are represented by this stored point, or others of its
-  // cluster.
+  // From here on returns of the scan are represented by this stored point, or others of its label.
   struct Representative {
     std::uint32_t from_beam = 0;
     PointId point = 0;
     bool stored_now = false;
   };
-  struct Known {
-    PointId point = 0;
-    bool stored_now = false;
+  // Which point represented the next returns when last a point was left behind.
+  struct Follower {
+    PointId point = PointIndex::kNone;
+    bool same_label = false;  // as the one left behind; false while that is not noticed
+  };
+  // Of a cluster of the scan.
+  struct Joined {
+    std::uint32_t to = 0;  // an earlier one, or itself
+    ClusterId known = 0;   // the first known one it meets
   };
   struct NewPoint {
     PointId point = 0;
@@ -97,9 +102,12 @@ class ObstacleBase {
 
   std::uint64_t version() const { return points_at_version_.size() - 1; }
   void read_and_represent(const Scan& scan, PointId first_new);
-  [[gnu::noinline]] Known find_or_store(const Vec2& p);
+  [[gnu::noinline]] PointId store(const Vec2& p);
+  void make_room(std::size_t beams);
   void join_scan_clusters(PointId first_new);
-  void join(std::uint32_t scan_cluster, const Representative& representative, PointId first_new);
+  void note_new_point(std::uint32_t scan_cluster, const Representative& stored);
+  void join(std::uint32_t scan_cluster, PointId point, PointId first_new);
+  void meet(std::uint32_t scan_cluster, ClusterId known);
   void append_new_points();
 
   ObstacleBaseConfig config_;
@@ -109,16 +117,15 @@ class ObstacleBase {
   PointIndex points_;
   ClusterBase clusters_;
   std::vector<std::uint32_t> points_at_version_{0};
-  // Which point represented the next returns when last a point was left behind: entry 0 for the
-  // beginning of a scan, then one for each stored point.
-  std::vector<PointId> followed_by_{PointIndex::kNone};
+  // Entry 0 for the beginning of a scan, then one for each stored point.
+  std::vector<Follower> followers_{{}};
 
   // Scratch of one update, kept so that a scan without news allocates nothing.
   std::vector<Representative> representatives_;  // the first representative_count_ are in use
   std::size_t representative_count_ = 0;
-  std::vector<NewPoint> new_points_;
-  std::vector<std::uint32_t> joined_to_;    // of each scan cluster: an earlier one, or itself
-  std::vector<ClusterId> known_cluster_;    // of each scan cluster: the first known one it meets
+  std::vector<NewPoint> new_points_;  // the first new_point_count_ are in use
+  std::size_t new_point_count_ = 0;
+  std::vector<Joined> joined_;              // of the clusters of the scan, from the first on
   std::vector<ClusterBase::Pair> bridged_;  // known clusters with a scan cluster in common
 };
 

@@ -21,54 +21,51 @@ ScanClusterer::ScanClusterer(double link_distance_m, double thinning_distance_m)
       listing_distance_m_(std::min(thinning_distance_m, link_distance_m / 2)) {}
 
 void ScanClusterer::cluster(const ScanReturns& returns) {
-  listed_world_ = returns.listed_world();
-  if (listed_world_.size() > gathered_world_.size()) gathered_world_.resize(listed_world_.size());
   runs_ = returns.runs();
-  if (runs_.size() > cluster_of_run_.size()) {
-    cluster_of_run_.resize(runs_.size());
-    box_of_run_.resize(runs_.size());
-  }
+  listed_world_ = returns.listed_world();
+  if (returns.beams() > clusters_.size()) make_room(returns.beams());
   link_runs(returns);
   list_clusters(returns);
+}
+
+// A scan has no more listed returns, runs and clusters than beams.
+void ScanClusterer::make_room(std::size_t beams) {
+  gathered_world_.resize(beams);
+  cluster_of_run_.resize(beams);
+  box_of_run_.resize(beams);
+  clusters_.resize(beams);
+  first_return_.resize(beams);
 }
 
 // Listed returns decide mostly. Each stands for the returns up to the next listed one, all closer
 // than the listing distance to it: where two are apart by little more than the link distance,
 // these are compared.
 bool ScanClusterer::runs_linked(std::size_t a, std::size_t b, const ScanReturns& returns) const {
-  const double link_sq = link_distance_m_ * link_distance_m_;
   const double reach_m = link_distance_m_ + 2 * listing_distance_m_;
   const double reach_sq = reach_m * reach_m;
   if (box_distance_sq(box_of_run_[a], box_of_run_[b]) > reach_sq) return false;
-  bool undecided = false;
-  for (const Vec2& p : listed_world(runs_[a])) {
-    if (box_distance_sq({p, p}, box_of_run_[b]) > reach_sq) continue;
-    for (const Vec2& q : listed_world(runs_[b])) {
-      const double apart_sq = distance_sq(p, q);
-      if (apart_sq < link_sq) return true;
-      undecided = undecided || apart_sq <= reach_sq;
-    }
-  }
-  return undecided && returns_linked(runs_[a], runs_[b], returns);
-}
-
-// The plain comparison, of all returns of two runs whose listed ones are within reach.
-bool ScanClusterer::returns_linked(const ScanReturns::Run& a, const ScanReturns::Run& b,
-                                   const ScanReturns& returns) const {
   const double link_sq = link_distance_m_ * link_distance_m_;
-  const double reach_m = link_distance_m_ + 2 * listing_distance_m_;
-  const double reach_sq = reach_m * reach_m;
-  for (std::uint32_t k = a.listed_begin; k < a.listed_end; ++k) {
-    for (std::uint32_t l = b.listed_begin; l < b.listed_end; ++l) {
-      if (distance_sq(listed_world_[k], listed_world_[l]) > reach_sq) continue;
-      const auto linked_to_b = [&](const Vec2& p) {
-        return any_represented(b, l, returns,
-                               [&](const Vec2& q) { return distance_sq(p, q) < link_sq; });
-      };
-      if (any_represented(a, k, returns, linked_to_b)) return true;
+  for (std::uint32_t k = runs_[a].listed_begin; k < runs_[a].listed_end; ++k) {
+    const Vec2& p = listed_world_[k];
+    if (box_distance_sq({p, p}, box_of_run_[b]) > reach_sq) continue;
+    for (std::uint32_t l = runs_[b].listed_begin; l < runs_[b].listed_end; ++l) {
+      const double apart_sq = distance_sq(p, listed_world_[l]);
+      if (apart_sq < link_sq) return true;
+      if (apart_sq <= reach_sq && represented_linked(runs_[a], k, runs_[b], l, returns))
+        return true;
     }
   }
   return false;
+}
+
+bool ScanClusterer::represented_linked(const ScanReturns::Run& a, std::uint32_t listed_a,
+                                       const ScanReturns::Run& b, std::uint32_t listed_b,
+                                       const ScanReturns& returns) const {
+  const double link_sq = link_distance_m_ * link_distance_m_;
+  return any_represented(a, listed_a, returns, [&](const Vec2& p) {
+    return any_represented(b, listed_b, returns,
+                           [&](const Vec2& q) { return distance_sq(p, q) < link_sq; });
+  });
 }
 
 template <class Visit>
@@ -104,8 +101,7 @@ void ScanClusterer::link_runs(const ScanReturns& returns) {
     // A root is the first run of its cluster, so it has its number when the others ask for it.
     cluster_of_run_[i] = joined_to[i] == i ? clusters++ : cluster_of_run_[joined_to[i]];
   }
-  clusters_.resize(clusters);
-  first_return_.resize(clusters);
+  cluster_count_ = clusters;
 }
 
 void ScanClusterer::list_clusters(const ScanReturns& returns) {
@@ -121,9 +117,9 @@ void ScanClusterer::list_clusters(const ScanReturns& returns) {
     }
     clusters_[c].cut_left = edges && i + 1 == runs_.size() && returns.last_at_edge();
   }
-  if (edges && runs_.size() == clusters_.size()) return;
+  if (edges && runs_.size() == cluster_count_) return;
   std::size_t gathered = 0;
-  for (std::uint32_t c = 0; c < clusters_.size(); ++c) gathered = gather(c, gathered, returns);
+  for (std::uint32_t c = 0; c < cluster_count_; ++c) gathered = gather(c, gathered, returns);
 }
 
 // Lists the runs of a cluster one after the other, from its first return on and around.

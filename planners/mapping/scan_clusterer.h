@@ -29,8 +29,8 @@ class ScanClusterer {
   // Of a run of the returns: index into clusters().
   std::uint32_t cluster_of_run(std::size_t run) const { return cluster_of_run_[run]; }
   // In the order of their first beams. Valid, like the rest, until the next scan.
-  std::span<ScanCluster> clusters() { return clusters_; }
-  std::span<const ScanCluster> clusters() const { return clusters_; }
+  std::span<ScanCluster> clusters() { return {clusters_.data(), cluster_count_}; }
+  std::span<const ScanCluster> clusters() const { return {clusters_.data(), cluster_count_}; }
   // The return with which a cluster begins: its rightmost, in a full circle the one behind its
   // widest gap in bearing.
   std::uint32_t first_return(std::size_t cluster) const { return first_return_[cluster]; }
@@ -39,10 +39,12 @@ class ScanClusterer {
   std::span<const Vec2> listed_world(const ScanReturns::Run& run) const {
     return listed_world_.subspan(run.listed_begin, run.listed_end - run.listed_begin);
   }
+  void make_room(std::size_t beams);
   void link_runs(const ScanReturns& returns);
   bool runs_linked(std::size_t a, std::size_t b, const ScanReturns& returns) const;
-  bool returns_linked(const ScanReturns::Run& a, const ScanReturns::Run& b,
-                      const ScanReturns& returns) const;
+  bool represented_linked(const ScanReturns::Run& a, std::uint32_t listed_a,
+                          const ScanReturns::Run& b, std::uint32_t listed_b,
+                          const ScanReturns& returns) const;
   // Visits the returns that a listed one stands for until one visit is true; was one?
   template <class Visit>
   bool any_represented(const ScanReturns::Run& run, std::uint32_t listed,
@@ -56,10 +58,11 @@ class ScanClusterer {
   std::span<const ScanReturns::Run> runs_;
   std::span<const Vec2> listed_world_;
   std::vector<std::uint32_t> cluster_of_run_;
-  std::vector<Bounds> box_of_run_;    // of the listed returns; set if there are several runs
-  std::vector<Vec2> gathered_world_;  // of clusters that are not one run
-  std::vector<ScanCluster> clusters_;
+  std::vector<Bounds> box_of_run_;     // of the listed returns; set if there are several runs
+  std::vector<Vec2> gathered_world_;   // of clusters that are not one run
+  std::vector<ScanCluster> clusters_;  // the first cluster_count_ are in use
   std::vector<std::uint32_t> first_return_;
+  std::size_t cluster_count_ = 0;
 };
 
 }  // namespace voronaut

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -53,6 +54,7 @@ class ScanReturns {
 
  private:
   static constexpr std::size_t kNone = std::numeric_limits<std::size_t>::max();
+  static std::uint64_t bits(double value) { return std::bit_cast<std::uint64_t>(value); }
   void begin(const Scan& scan);
   void set_edges();
   void begin_run_unless_linked(std::size_t beam, std::size_t previous, std::size_t listed);
@@ -72,9 +74,10 @@ class ScanReturns {
   bool last_at_edge_ = false;
 };
 
-// Most beams of most scans meet nothing: they are passed by in eights. Only a listed return that is
-// far from the one listed before can begin a run: the return before it is closer than the thinning
-// distance to that one, and so are those between.
+// Most beams of most scans meet nothing: they are passed by in eights. Positive numbers are ordered
+// as their bits are, and all others have larger ones: so one comparison tells a return. Only a
+// listed return that is far from the one listed before can begin a run: the return before it is
+// closer than the thinning distance to that one, and so are those between.
 template <class Visit>
 void ScanReturns::read(const Scan& scan, Visit visit) {
   begin(scan);
@@ -82,6 +85,7 @@ void ScanReturns::read(const Scan& scan, Visit visit) {
   const double* const range_m = scan.range_m.data();
   const Vec2* const direction = scan.beams->direction_sensor.data();
   const double max_range_m = scan.max_range_m;
+  const std::uint64_t miss = bits(max_range_m);
   const PackedFrame sensor(scan.sensor_world);
   const double thinning_sq = thinning_distance_m_ * thinning_distance_m_;
   const double jump_m = link_distance_m_ - thinning_distance_m_;
@@ -94,11 +98,11 @@ void ScanReturns::read(const Scan& scan, Visit visit) {
     while (i + 8 <= n && all_eight_equal(range_m + i, max_range_m)) i += 8;
     while (i < n && range_m[i] == max_range_m) ++i;
     const std::size_t first = i;
-    for (; i < n && range_m[i] > 0 && range_m[i] < max_range_m; ++i) {
+    for (; i < n && bits(range_m[i]) - 1 < miss - 1; ++i) {
       const PackedPoint p = sensor.at(direction[i], range_m[i]);
       const double apart_sq = distance_sq(p, last_listed);
-      if (!(apart_sq < thinning_sq)) {
-        if (!(apart_sq < jump_sq)) {
+      if (apart_sq >= thinning_sq) {
+        if (apart_sq >= jump_sq) {
           begin_run_unless_linked(i, i > first ? i - 1 : last,
                                   static_cast<std::size_t>(listed - listed_.data()));
         }
@@ -110,7 +114,7 @@ void ScanReturns::read(const Scan& scan, Visit visit) {
     }
     if (i > first) last = i - 1;
     count_ += i - first;
-    for (; i < n && !(range_m[i] > 0 && range_m[i] <= max_range_m); ++i) ++invalid_;
+    for (; i < n && bits(range_m[i]) - 1 > miss - 1; ++i) ++invalid_;
   }
   listed_count_ = static_cast<std::size_t>(listed - listed_.data());
   end_run(last, listed_count_);
