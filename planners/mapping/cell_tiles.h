@@ -5,6 +5,7 @@
 #include <bit>
 #include <cstddef>
 #include <cstdint>
+#include <deque>
 #include <vector>
 
 #include "voronaut/planners/mapping/square_grid.h"
@@ -35,12 +36,17 @@ inline constexpr Masks kColumnsUpTo =
 // An unbounded grid that stores one number per occupied cell (the first item of a chain that the
 // owner keeps) in tiles of 8 x 8 cells with a bit per cell: asking a box costs one hash look-up per
 // tile it overlaps, empty cells nothing. Memory: 256 bytes per 8 x 8 cells that ever
-// were occupied in part, and 64 to 128 for its slot.
+// were occupied in part, which never move, and 64 to 128 for its slot.
 class CellTiles {
  public:
   static constexpr std::uint32_t kEmpty = 0xffff'ffff;
 
   explicit CellTiles(double cell_m);
+  CellTiles(const CellTiles& other);
+  CellTiles(CellTiles&&) noexcept = default;
+  CellTiles& operator=(const CellTiles& other) { return *this = CellTiles(other); }
+  CellTiles& operator=(CellTiles&&) noexcept = default;
+  ~CellTiles() = default;
 
   double cell_m() const { return grid_.cell_m(); }
   Cell cell_of(double x, double y) const { return grid_.cell_of(x, y); }
@@ -78,16 +84,18 @@ class CellTiles {
 
  private:
   static constexpr std::uint64_t kNoKey = ~std::uint64_t{0};  // no tile has this one
+  using Heads = std::array<std::uint32_t, 64>;
   struct alignas(32) Slot {
     std::uint64_t key = kNoKey;
     std::uint64_t occupied = 0;  // bit 8 * (y mod 8) + (x mod 8)
-    std::uint64_t tile = 0;      // index into heads_
+    Heads* heads = nullptr;      // heads_[tile]
+    std::uint64_t tile = 0;
   };
 
   template <class Visit>
   bool any_in(const Slot& slot, std::uint64_t cells, const Visit& visit) const {
     for (cells &= slot.occupied; cells != 0; cells &= cells - 1) {
-      if (visit(heads_[slot.tile][static_cast<std::size_t>(std::countr_zero(cells))])) return true;
+      if (visit((*slot.heads)[static_cast<std::size_t>(std::countr_zero(cells))])) return true;
     }
     return false;
   }
@@ -115,14 +123,12 @@ class CellTiles {
     return slots_[static_cast<std::size_t>(&slot - slots_.data())];
   }
   Slot& make(std::uint32_t x, std::uint32_t y);
-  void make_heads(Slot& slot);
   void insert(const Slot& slot);
 
   SquareGrid grid_;
   int shift_;
-  std::size_t tiles_ = 0;
   std::vector<Slot> slots_;  // a power of two, at most half full; open addressing
-  std::vector<std::array<std::uint32_t, 64>> heads_;  // of each tile with occupied cells
+  std::deque<Heads> heads_;  // of each tile
 };
 
 }  // namespace voronaut

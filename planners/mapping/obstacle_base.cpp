@@ -95,7 +95,8 @@ void ObstacleBase::read_and_represent(const Scan& scan, PointId first_new) {
       return;
     }
     label = next_label;
-    representatives_[representative_count_++] = {static_cast<std::uint32_t>(beam), next.point, stored_now};
+    representatives_[representative_count_++] = {static_cast<std::uint32_t>(beam), next.point,
+                                                 stored_now};
   });
 }
 
