@@ -1,11 +1,9 @@
 #include "voronaut/planners/mapping/obstacle_base.h"
 
-#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <stdexcept>
 #include <string>
-#include <tuple>
 #include <utility>
 
 #include "voronaut/planners/mapping/convex_polygon.h"
@@ -45,15 +43,15 @@ const UpdateReport& ObstacleBase::update(const Scan& scan) {
   const auto first_new = static_cast<PointId>(points_.size());
   read_and_represent(scan, first_new);
   clusterer_.cluster(returns_);
-  join_scan_clusters(first_new);
-
-  const std::size_t bridges = clusters_.merge_components(bridged_, points_.points());
-  append_new_points();
+  joining_.join(returns_, clusterer_, {representatives_.data(), representative_count_}, first_new,
+                clusters_);
+  const std::size_t bridges = clusters_.merge_components(joining_.bridged(), points_.points());
+  joining_.append_new_points(clusters_, points_.points());
   const ClusterBase::MergeCounts merged = clusters_.merge_related(points_.points());
 
   const std::span<ScanCluster> scan_clusters = clusterer_.clusters();
   for (std::size_t i = 0; i < scan_clusters.size(); ++i) {
-    scan_clusters[i].cluster = clusters_.living_id(joined_[joined_[i].to].known);
+    scan_clusters[i].cluster = clusters_.living_id(joining_.cluster_of(i));
   }
   report_ = {returns_.size(),      returns_.invalid(),  points_.size() - first_new,
              scan_clusters.size(), merged.pairs_tested, bridges + merged.merges};
@@ -68,7 +66,7 @@ const UpdateReport& ObstacleBase::update(const Scan& scan) {
 void ObstacleBase::read_and_represent(const Scan& scan, PointId first_new) {
   const double thinning_m = config_.thinning_distance_m;
   const double thinning_sq = thinning_m * thinning_m;
-  if (scan.size() > representatives_.size()) make_room(scan.size());
+  if (scan.size() > representatives_.size()) representatives_.resize(scan.size());
   representative_count_ = 0;
   PackedPoint current = packed(Vec2::Constant(std::numeric_limits<double>::infinity()));
   ClusterId label = kNoCluster;
@@ -103,91 +101,6 @@ void ObstacleBase::read_and_represent(const Scan& scan, PointId first_new) {
 PointId ObstacleBase::store(const Vec2& p) {
   followers_.emplace_back();
   return points_.add(p);
-}
-
-// A scan has no more representatives, new points and clusters than beams.
-void ObstacleBase::make_room(std::size_t beams) {
-  representatives_.resize(beams);
-  new_points_.resize(beams);
-  joined_.resize(beams);
-}
-
-// Stage 3: which clusters of the scan have stored points in common with known clusters, or with
-// each other. Known clusters that are bridged so are collected, new points are noted for appending.
-void ObstacleBase::join_scan_clusters(PointId first_new) {
-  new_point_count_ = 0;
-  const std::size_t count = clusterer_.clusters().size();
-  for (std::uint32_t i = 0; i < count; ++i) joined_[i] = {i, kNoCluster};
-
-  const Representative* next = representatives_.data();
-  const Representative* const end = next + representative_count_;
-  const std::span<const ScanReturns::Run> runs = returns_.runs();
-  for (std::size_t r = 0; r < runs.size(); ++r) {
-    const std::uint32_t cluster = clusterer_.cluster_of_run(r);
-    // A run may begin with the representative of the run before it.
-    if (next == end || next->from_beam != runs[r].begin) join(cluster, next[-1].point, first_new);
-    for (; next != end && next->from_beam < runs[r].end; ++next) {
-      if (next->stored_now) {
-        note_new_point(cluster, *next);
-      } else {
-        join(cluster, next->point, first_new);
-      }
-    }
-  }
-}
-
-void ObstacleBase::note_new_point(std::uint32_t scan_cluster, const Representative& stored) {
-  // Returns before the one with which a cluster begins come after its last one.
-  const std::uint32_t begin = clusterer_.first_return(scan_cluster);
-  const std::uint32_t beam = stored.from_beam;
-  const std::uint32_t rank = beam < begin ? beam + returns_.beams() : beam;
-  new_points_[new_point_count_++] = {stored.point, scan_cluster, rank};
-}
-
-void ObstacleBase::join(std::uint32_t scan_cluster, PointId point, PointId first_new) {
-  const auto root = [this](std::uint32_t i) {
-    while (joined_[i].to != i) i = joined_[i].to;
-    return i;
-  };
-  const std::uint32_t a = root(scan_cluster);
-  if (point < first_new) {
-    meet(a, clusters_.cluster_of(point));
-    return;
-  }
-  const std::uint32_t b = root(new_points_[point - first_new].scan_cluster);
-  if (a == b) return;
-  joined_[std::max(a, b)].to = std::min(a, b);
-  meet(std::min(a, b), joined_[std::max(a, b)].known);
-}
-
-void ObstacleBase::meet(std::uint32_t scan_cluster, ClusterId known) {
-  ClusterId& first_met = joined_[scan_cluster].known;
-  if (known == kNoCluster || known == first_met) return;
-  if (first_met == kNoCluster) {
-    first_met = known;
-  } else {
-    bridged_.push_back({first_met, known});
-  }
-}
-
-void ObstacleBase::append_new_points() {
-  const std::size_t count = clusterer_.clusters().size();
-  for (std::uint32_t i = 0; i < count; ++i) {
-    // Earlier ones are resolved already.
-    joined_[i].to = joined_[joined_[i].to].to;
-    if (joined_[i].to == i && joined_[i].known == kNoCluster) joined_[i].known = clusters_.create();
-  }
-  if (new_point_count_ == 0) return;
-  const auto by_bearing = [](const NewPoint& a, const NewPoint& b) {
-    return std::tie(a.scan_cluster, a.rank) < std::tie(b.scan_cluster, b.rank);
-  };
-  const std::span<NewPoint> new_points{new_points_.data(), new_point_count_};
-  if (!std::ranges::is_sorted(new_points, by_bearing)) std::ranges::sort(new_points, by_bearing);
-  clusters_.make_room(points_.size());
-  for (const NewPoint& added : new_points) {
-    const ClusterId known = joined_[joined_[added.scan_cluster].to].known;
-    clusters_.append(clusters_.living_id(known), added.point, points_[added.point]);
-  }
 }
 
 }  // namespace voronaut

@@ -12,6 +12,7 @@
 #include "voronaut/planners/mapping/point_index.h"
 #include "voronaut/planners/mapping/scan_cluster.h"
 #include "voronaut/planners/mapping/scan_clusterer.h"
+#include "voronaut/planners/mapping/scan_joining.h"
 #include "voronaut/planners/mapping/scan_returns.h"
 
 // The papers' base of cells: everything a range finder has shown so far, as thinned points that
@@ -78,55 +79,30 @@ class ObstacleBase {
  private:
   friend class ObstacleSnapshot;
 
-  // From here on returns of the scan are represented by this stored point, or others of its label.
-  struct Representative {
-    std::uint32_t from_beam = 0;
-    PointId point = 0;
-    bool stored_now = false;
-  };
   // Which point represented the next returns when last a point was left behind.
   struct Follower {
     PointId point = PointIndex::kNone;
     bool same_label = false;  // as the one left behind; false while that is not noticed
   };
-  // Of a cluster of the scan.
-  struct Joined {
-    std::uint32_t to = 0;  // an earlier one, or itself
-    ClusterId known = 0;   // the first known one it meets
-  };
-  struct NewPoint {
-    PointId point = 0;
-    std::uint32_t scan_cluster = 0;
-    std::uint32_t rank = 0;  // in the order of bearing
-  };
 
   std::uint64_t version() const { return points_at_version_.size() - 1; }
   void read_and_represent(const Scan& scan, PointId first_new);
   [[gnu::noinline]] PointId store(const Vec2& p);
-  void make_room(std::size_t beams);
-  void join_scan_clusters(PointId first_new);
-  void note_new_point(std::uint32_t scan_cluster, const Representative& stored);
-  void join(std::uint32_t scan_cluster, PointId point, PointId first_new);
-  void meet(std::uint32_t scan_cluster, ClusterId known);
-  void append_new_points();
 
   ObstacleBaseConfig config_;
   UpdateReport report_;
   ScanClusterer clusterer_;
   ScanReturns returns_;
   PointIndex points_;
+  ScanJoining joining_;
   ClusterBase clusters_;
   std::vector<std::uint32_t> points_at_version_{0};
   // Entry 0 for the beginning of a scan, then one for each stored point.
   std::vector<Follower> followers_{{}};
 
-  // Scratch of one update, kept so that a scan without news allocates nothing.
+  // Of one update, kept so that a scan without news allocates nothing.
   std::vector<Representative> representatives_;  // the first representative_count_ are in use
   std::size_t representative_count_ = 0;
-  std::vector<NewPoint> new_points_;  // the first new_point_count_ are in use
-  std::size_t new_point_count_ = 0;
-  std::vector<Joined> joined_;              // of the clusters of the scan, from the first on
-  std::vector<ClusterBase::Pair> bridged_;  // known clusters with a scan cluster in common
 };
 
 }  // namespace voronaut
