@@ -38,7 +38,8 @@ class MappingWork : public CountedWork {
 
 class SensingWork : public CountedWork {
  public:
-  explicit SensingWork(std::size_t rays) : rays_(rays), walk_({.rays = rays, .scans = kScans}) {}
+  SensingWork(std::size_t rays, bool walls)
+      : rays_(rays), walk_({.rays = rays, .scans = kScans, .walls = walls}) {}
   bool prepare() override { return done_++ < kScans; }
   std::size_t run() override {
     walk_.next();
@@ -57,6 +58,8 @@ CountedWorkPtr mapping_work(std::size_t rays, std::size_t known_scans, bool agai
   return std::make_unique<MappingWork>(rays, known_scans, again);
 }
 
-CountedWorkPtr sensing_work(std::size_t rays) { return std::make_unique<SensingWork>(rays); }
+CountedWorkPtr sensing_work(std::size_t rays, bool walls) {
+  return std::make_unique<SensingWork>(rays, walls);
+}
 
 }  // namespace voronaut::micro

@@ -23,8 +23,8 @@ using CountedWorkPtr = std::unique_ptr<CountedWork>;
 // (`again`) these scans themselves.
 CountedWorkPtr mapping_work(std::size_t rays, std::size_t known_scans, bool again);
 
-// A scan of the forest per run.
-CountedWorkPtr sensing_work(std::size_t rays);
+// A scan of the forest per run, of circles or of walls.
+CountedWorkPtr sensing_work(std::size_t rays, bool walls);
 
 // Checks of a disc of 0.3 m at places in the corridor of `scans` scans, or swept along 2 m.
 enum class Checker {

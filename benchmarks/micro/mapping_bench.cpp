@@ -113,6 +113,30 @@ void register_growth(const std::string& name, const std::vector<std::int64_t>& k
   for (const std::int64_t k : known_scans) growth->Arg(k);
 }
 
+// How many polygon pairs come to the exact test, on the forest and where that is dense and the
+// vehicle wide.
+void register_merging(const std::string& name, double density_per_m2, double merge_distance_m) {
+  const auto run = [=](benchmark::State& state) {
+    ForestWalk walk({.density_per_m2 = density_per_m2, .scans = kScans});
+    std::vector<MeasuredScan> scans;
+    for (std::size_t i = 0; i < kScans; ++i) scans.push_back(measured(walk.next()));
+    const ObstacleBaseConfig config{.merge_distance_m = merge_distance_m};
+    map_scans(state, scans, OwnMap(config));
+    ObstacleBase base(config);
+    std::size_t pairs = 0;
+    std::size_t merges = 0;
+    for (const MeasuredScan& scan : scans) {
+      pairs += base.update(scan.scan).pairs_tested;
+      merges += base.report().merges;
+    }
+    state.counters["pairs_per_scan"] = static_cast<double>(pairs) / kScans;
+    state.counters["merges_per_scan"] = static_cast<double>(merges) / kScans;
+    state.counters["clusters"] = static_cast<double>(base.snapshot().cluster_count());
+  };
+  benchmark::RegisterBenchmark(("mapping/merging/" + name).c_str(), run)
+      ->Unit(benchmark::kMicrosecond);
+}
+
 Bounds forest_bounds() { return {{-6, -13}, {211, 13}}; }
 
 void register_maps() {
@@ -133,6 +157,8 @@ void register_maps() {
   register_on_forest("octomap_0.1m_hits", [] { return OctomapMap(false); });
   register_on_forest("octomap_0.1m_full", [] { return OctomapMap(true); });
 #endif
+  register_merging("forest", 0.1, config.merge_distance_m);
+  register_merging("dense_forest_wide_vehicle", 0.2, 2);
   register_growth("voronaut", {1'000, 3'000, 10'000, 100'000}, [=] { return OwnMap(config); });
   register_growth("naive_full_search", {1'000, 3'000, 10'000},
                   [=] { return NaiveMap(config.thinning_distance_m, config.link_distance_m); });
@@ -161,38 +187,6 @@ void register_lidar(const std::string& data) {
         ->Unit(benchmark::kMicrosecond);
   }
 }
-
-void stage_read(benchmark::State& state) {
-  const std::vector<MeasuredScan> scans = forest_scans(static_cast<std::size_t>(state.range(0)));
-  const ObstacleBaseConfig config;
-  ScanReturns returns(config.thinning_distance_m, config.link_distance_m);
-  std::size_t i = 0;
-  for (auto _ : state)
-    returns.read(scans[i++ % scans.size()].scan, [](PackedPoint, std::size_t) {});
-}
-BENCHMARK(stage_read)->Name("mapping/stage/read_returns")->ArgName("rays")->Arg(181)->Arg(720);
-
-void stage_cluster(benchmark::State& state) {
-  const std::vector<MeasuredScan> scans = forest_scans(static_cast<std::size_t>(state.range(0)));
-  const ObstacleBaseConfig config;
-  ScanClusterer clusterer(config.link_distance_m, config.thinning_distance_m);
-  std::vector<ScanReturns> returns(
-      scans.size(), ScanReturns(clusterer.listing_distance_m(), config.link_distance_m));
-  for (std::size_t i = 0; i < scans.size(); ++i)
-    returns[i].read(scans[i].scan, [](PackedPoint, std::size_t) {});
-  std::size_t i = 0;
-  for (auto _ : state) clusterer.cluster(returns[i++ % returns.size()]);
-}
-BENCHMARK(stage_cluster)->Name("mapping/stage/cluster_scan")->ArgName("rays")->Arg(181)->Arg(720);
-
-void known_ground(benchmark::State& state) {
-  const std::vector<MeasuredScan> scans = forest_scans(static_cast<std::size_t>(state.range(0)));
-  OwnMap map({});
-  for (const MeasuredScan& scan : scans) map.insert(scan);
-  std::size_t i = 0;
-  for (auto _ : state) map.insert(scans[i++ % scans.size()]);
-}
-BENCHMARK(known_ground)->Name("mapping/stage/known_ground")->ArgName("rays")->Arg(181)->Arg(720);
 
 // Places beside the curve, where the map knows something, and 2 m segments from there.
 void checks(benchmark::State& state, bool motion) {

@@ -48,7 +48,13 @@ Shapes plant(const ForestWalkConfig& config) {
     const double x_m = random.uniform(-before_m, length_m - before_m);
     const double y_m = random.uniform(-kHalfCorridorM, kHalfCorridorM);
     const Circle circle{{x_m, y_m}, random.uniform(0.3, 1.0)};
-    if (leaves_curve_free(circle)) shapes.circles.push_back(circle);
+    if (!leaves_curve_free(circle)) continue;
+    if (config.walls) {
+      const Vec2 half{0, circle.radius_m};
+      shapes.segments.push_back({circle.center - half, circle.center + half});
+    } else {
+      shapes.circles.push_back(circle);
+    }
   }
   return shapes;
 }

@@ -20,6 +20,7 @@ struct ForestWalkConfig {
   double step_m = 0.2;       // 2 m/s at 10 Hz; 0.02 for 100 Hz
   std::size_t scans = 1000;  // how far the forest must reach
   std::uint64_t seed = 1;
+  bool walls = false;  // instead of each circle one of its diameters, across the way
   double aside_m = 0;  // every scan is reported this far to the left (y) of where it was taken
 };
 

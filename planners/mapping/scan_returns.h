@@ -55,6 +55,8 @@ class ScanReturns {
  private:
   static constexpr std::size_t kNone = std::numeric_limits<std::size_t>::max();
   static std::uint64_t bits(double value) { return std::bit_cast<std::uint64_t>(value); }
+  static std::size_t behind_misses(std::span<const double> range_m, double max_range_m,
+                                   std::size_t i);
   void begin(const Scan& scan);
   void set_edges();
   void begin_run_unless_linked(std::size_t beam, std::size_t previous, std::size_t listed);
@@ -74,10 +76,18 @@ class ScanReturns {
   bool last_at_edge_ = false;
 };
 
-// Most beams of most scans meet nothing: they are passed by in eights. Positive numbers are ordered
-// as their bits are, and all others have larger ones: so one comparison tells a return. Only a
-// listed return that is far from the one listed before can begin a run: the return before it is
-// closer than the thinning distance to that one, and so are those between.
+// Most beams of most scans meet nothing: they are passed by in eights.
+inline std::size_t ScanReturns::behind_misses(std::span<const double> range_m, double max_range_m,
+                                              std::size_t i) {
+  while (i + 8 <= range_m.size() && all_eight_equal(range_m.data() + i, max_range_m)) i += 8;
+  while (i < range_m.size() && range_m[i] == max_range_m) ++i;
+  return i;
+}
+
+// Positive numbers are ordered as their bits are, and all others have larger ones: so one
+// comparison tells a return. Only a listed return that is far from the one listed before can begin
+// a run: the return before it is closer than the thinning distance to that one, and so are those
+// between.
 template <class Visit>
 void ScanReturns::read(const Scan& scan, Visit visit) {
   begin(scan);
@@ -95,8 +105,7 @@ void ScanReturns::read(const Scan& scan, Visit visit) {
   std::uint32_t* listed = listed_.data();
   Vec2* listed_world = listed_world_.data();
   for (std::size_t i = 0; i < n;) {
-    while (i + 8 <= n && all_eight_equal(range_m + i, max_range_m)) i += 8;
-    while (i < n && range_m[i] == max_range_m) ++i;
+    i = behind_misses({range_m, n}, max_range_m, i);
     const std::size_t first = i;
     for (; i < n && bits(range_m[i]) - 1 < miss - 1; ++i) {
       const PackedPoint p = sensor.at(direction[i], range_m[i]);
