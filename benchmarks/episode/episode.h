@@ -43,6 +43,7 @@ struct Flight {
   void recover(const VehicleState& state, double now_s);
   void adopt(Plan plan, double now_s);
   void judge_infeasible(double now_s);
+  void retrace();
   void govern(const VehicleState& state, const Vec2& towards, bool squeezing, Setpoint& setpoint);
   std::optional<Vec2> crowding(const Vec2& p_world) const;
   std::optional<Vec2> hemming_in(const Vec2& p_world) const;

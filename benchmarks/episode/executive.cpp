@@ -81,6 +81,9 @@ void Flight::recover(const VehicleState& state, double now_s) {
     case RecoveryAction::squeeze:
       squeeze_until_s = now_s + kSqueeze_s;
       return;
+    case RecoveryAction::retrace:
+      retrace();
+      return;
     case RecoveryAction::drop_virtual_obstacles:
       virtual_obstacles.clear();
       break;

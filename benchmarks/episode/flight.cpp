@@ -144,7 +144,7 @@ void Flight::adopt(Plan plan, double now_s) {
   }
   referee.note_refusal(plan.status == PlanStatus::refused ? plan.mode : "");
   if (plan.path.empty()) {
-    tracker.drop();
+    if (!retracing) tracker.drop();
     return;
   }
   retracing = false;
@@ -168,12 +168,16 @@ void Flight::judge_infeasible(double now_s) {
                                          : "no place at the goal keeps the clearance from what is "
                                            "known");
   } else if (spec.navigation.recovery) {
-    retracing = true;
-    Path back = way_flown.back_from(belief.pose_world.p_world, kRetraceLeg_m);
-    if (back.empty()) return;
-    if (keep_scans) log.plans.push_back(back);
-    tracker.follow(std::move(back), true);
+    retrace();
   }
+}
+
+void Flight::retrace() {
+  retracing = true;
+  Path back = way_flown.back_from(belief.pose_world.p_world, kRetraceLeg_m);
+  if (back.empty()) return;
+  if (keep_scans) log.plans.push_back(back);
+  tracker.follow(std::move(back), true);
 }
 
 void Flight::record_scan(const Setpoint& setpoint) {

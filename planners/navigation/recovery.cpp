@@ -49,8 +49,9 @@ RecoveryAction RecoveryPolicy::advise(const Progress& progress) {
 RecoveryAction RecoveryPolicy::next_step(const Progress& progress) {
   if (!progress.wants_to_move) {
     if (!progress.virtual_in_force) {
-      return progress.too_close && steps_taken_ % 2 == 1 ? RecoveryAction::back_off
-                                                         : RecoveryAction::look_around;
+      if (!progress.too_close || steps_taken_ % 3 == 2) return RecoveryAction::look_around;
+      // Between what is too close on both sides there is no backing off.
+      return steps_taken_ % 3 == 1 ? RecoveryAction::back_off : RecoveryAction::retrace;
     }
     return drops_++ < kDropsMax ? RecoveryAction::drop_virtual_obstacles : RecoveryAction::none;
   }

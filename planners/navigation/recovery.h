@@ -35,6 +35,7 @@ enum class RecoveryAction {
   back_off,                // away from the nearest known point for a while
   look_around,             // then plan anew
   squeeze,                 // for a while go closer to known points than planners plan
+  retrace,                 // back the way it came for a while, squeezing, then plan anew
   add_virtual_obstacle,    // where the governor refused, then plan anew
   drop_virtual_obstacles,  // planning failed with them: look around, plan anew
 };

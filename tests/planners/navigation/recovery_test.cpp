@@ -92,6 +92,18 @@ TEST(RecoveryPolicy, DropsVirtualObstaclesWhenPlanningFailsWithThemButNotForEver
   EXPECT_EQ(next_action(policy, now_s, without_path), RecoveryAction::none);
 }
 
+TEST(RecoveryPolicy, GoesBackFromWhatIsTooCloseWhereNoPathIsFound) {
+  RecoveryPolicy policy(kTimeout_s);
+  double now_s = 0;
+  Progress without_path;
+  without_path.too_close = true;
+  EXPECT_EQ(next_action(policy, now_s, without_path), RecoveryAction::back_off);
+  EXPECT_EQ(next_action(policy, now_s, without_path), RecoveryAction::look_around);
+  EXPECT_EQ(next_action(policy, now_s, without_path), RecoveryAction::retrace);
+  without_path.too_close = false;
+  EXPECT_EQ(next_action(policy, now_s, without_path), RecoveryAction::look_around);
+}
+
 TEST(LookAround, EndsWhenEveryDirectionHasBeenInView) {
   const double field_rad = std::numbers::pi / 2;
   LookAround look(field_rad);
