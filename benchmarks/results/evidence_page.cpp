@@ -117,9 +117,13 @@ std::string section(const SuiteEvidence& evidence, bool& holds) {
 EvidencePage evidence_page(const std::vector<SuiteEvidence>& suites) {
   EvidencePage page;
   Tally all;
-  std::string sections;
+  std::string sections, collisions;
   for (const SuiteEvidence& evidence : suites) {
+    const std::int64_t before = all.count(Outcome::collision);
     for (const RunRecord& record : evidence.records) all.add(record);
+    if (const std::int64_t added = all.count(Outcome::collision) - before; added > 0)
+      collisions +=
+          (collisions.empty() ? " (" : ", ") + std::to_string(added) + " in " + evidence.suite;
     sections += "\n" + section(evidence, page.holds);
   }
   page.markdown =
@@ -131,7 +135,8 @@ EvidencePage evidence_page(const std::vector<SuiteEvidence>& suites) {
       "shortest "
       "path on the true world; the last column over the shortest one at `clearance_min_m`.\n\n" +
       std::to_string(suites.size()) + " suites, " + std::to_string(all.n) + " flights, " +
-      std::to_string(all.count(Outcome::collision)) + " collisions, smallest clearance " +
+      std::to_string(all.count(Outcome::collision)) + " collisions" +
+      (collisions.empty() ? "" : collisions + ")") + ", smallest clearance " +
       fixed(all.clearance_min_m, 3) + " m. " +
       (page.holds ? "Every claim holds." : "**Not every claim holds.**") + "\n" + sections;
   return page;

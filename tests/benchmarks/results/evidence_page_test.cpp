@@ -44,6 +44,7 @@ TEST(EvidencePage, HasARowWithCountsIntervalsAndTheSmallestClearance) {
 TEST(EvidencePage, SaysWhichClaimIsBroken) {
   const EvidencePage page = evidence_page({evidence(Outcome::stuck), evidence(Outcome::collision)});
   EXPECT_FALSE(page.holds);
+  EXPECT_THAT(page.markdown, HasSubstr("20 flights, 1 collisions (1 in evidence-wood), smallest"));
   EXPECT_THAT(page.markdown, HasSubstr("**Not every claim holds.**"));
   EXPECT_THAT(page.markdown, HasSubstr("- **broken**: every trial: collisions <= 0 % (1 of 10)\n"));
 }
