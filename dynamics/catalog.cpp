@@ -10,7 +10,7 @@ namespace {
 
 // Bounds of VelocityResponse::error_m that tests/dynamics/velocity_response_test.cpp holds.
 constexpr double kStopErrorAtRest_m = 0.006;
-constexpr double kTiltedStopErrorAtRest_m = 0.014;  // turning while tilted pulls it aside
+constexpr double kTiltedStopErrorAtRest_m = 0.014;  // of what must tilt to brake
 constexpr double kIdealStopError_s = 0.001;
 constexpr double kAgileStopError_s = 0.008;    // pd_rate on the corrected inertia
 constexpr double kSluggishStopError_s = 0.08;  // on the printed one its rotors saturate

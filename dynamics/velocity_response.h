@@ -24,8 +24,8 @@ struct PlanarMotion {
 // kappa kq). Gain and damping grow with tilt as the vehicle's do, the push is limited by its
 // rotors. What is asked for acts one step later.
 //
-// Assumes level flight: height is held, no wind. Turning while tilted pulls the vehicle aside; that
-// is part of the error.
+// Assumes level flight: height is held, no wind, and a regulator that undoes what turning does to a
+// tilted vehicle; what it leaves is part of the error.
 struct VelocityResponse {
   double period_s = 0.01;
   double k_1_s = 1.786;

@@ -142,7 +142,7 @@ void Flight::adopt(Plan plan, double now_s) {
     judge_infeasible(now_s);
     return;
   }
-  referee.note_refusal(plan.status == PlanStatus::refused ? plan.mode : "");
+  referee.note_refusal(plan.refusal);
   if (plan.path.empty()) {
     if (!retracing) tracker.drop();
     return;

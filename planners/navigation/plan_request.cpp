@@ -30,7 +30,7 @@ PlanStatus status_of(const ob::PlannerStatus& solved, bool reactive) {
 Plan ask_for_plan(ob::Planner& planner, const PlannerTraits& traits, PlanningProblem& problem,
                   const PlanningBudget& budget) {
   if (!traits.plans_on_every_scan) {
-    if (!problem.goal_has_place()) return {PlanStatus::infeasible, {}, {}, {}};
+    if (!problem.goal_has_place()) return {PlanStatus::infeasible, {}, {}, {}, SolveEnd::planner};
     if (planner.isSetup()) planner.clear();
   }
   planner.setProblemDefinition(problem.definition());
@@ -40,9 +40,9 @@ Plan ask_for_plan(ob::Planner& planner, const PlannerTraits& traits, PlanningPro
   Plan plan;
   plan.end = end;
   plan.status = status_of(solved, traits.plans_on_every_scan);
-  if (plan.status == PlanStatus::refused) plan.mode = solved.asString();
+  if (plan.status == PlanStatus::refused) plan.refusal = solved.asString();
   if (insight != nullptr) {
-    if (plan.mode.empty()) plan.mode = insight->mode();
+    plan.mode = insight->mode();
     if (!solved && insight->proved_no_path()) plan.status = PlanStatus::infeasible;
   }
   if (plan.status == PlanStatus::to_goal || plan.status == PlanStatus::partial) {

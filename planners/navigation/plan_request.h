@@ -21,8 +21,9 @@ enum class PlanStatus {
 
 struct Plan {
   PlanStatus status = PlanStatus::none;
-  Path path;         // empty unless to_goal or partial
-  std::string mode;  // the planner's own word for what it does, or OMPL's for why it refused
+  Path path;            // empty unless to_goal or partial
+  std::string mode;     // the planner's own word for what it does, empty if it has none
+  std::string refusal;  // OMPL's word for why, where refused
   SolveEnd end = SolveEnd::planner;
 };
 
