@@ -29,8 +29,8 @@ PlannerCatalog PlannerCatalog::built_in() {
       {"VoronoiRoadmap",
        "the Voronoi diagram of what is known: complete at its clearance, proves \"no path\"",
        PlannerTraits{false, Reproducible::everywhere}, make<VoronoiRoadmap>});
-  for (const auto& family :
-       {tree_planners, batch_planners, roadmap_planners, parallel_planners, guided_planners})
+  for (const auto& family : {tree_planners, batch_planners, roadmap_planners, parallel_planners,
+                             guided_planners, experience_planners})
     for (PlannerEntry& entry : family()) catalog.add(std::move(entry));
   return catalog;
 }

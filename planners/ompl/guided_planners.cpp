@@ -1,3 +1,5 @@
+#include <limits>
+
 #include <ompl/base/goals/GoalState.h>
 #include <ompl/geometric/planners/quotientspace/QRRT.h>
 #include <ompl/geometric/planners/rrt/TSRRT.h>
@@ -16,22 +18,31 @@ namespace og = ompl::geometric;
 
 namespace {
 
-// A field of unit vectors towards the goal; exploration, lambda and update frequency as in OMPL's
-// demo VectorFieldConservative.
+// A field of unit vectors towards the goal that ends one range before it. Where the field and the
+// way to a sample are parallel, VFRRT 1.5.2 divides by zero and drops the motion: with a field that
+// went on, no sample of the goal would ever be reached. Its range is the resolution of state checks
+// unless it is set: here RRT's choice. Its gain adapts from solve to solve, and clear() does not
+// set it back: held at OMPL's first value.
 class GoalFieldRrt : public og::VFRRT {
  public:
   explicit GoalFieldRrt(const ob::SpaceInformationPtr& si)
       : VFRRT(
-            si, [this](const ob::State* state) { return towards_goal(state); }, 0.7, 1, 100) {}
+            si, [this](const ob::State* state) { return towards_goal(state); }, kExploration, kGain,
+            std::numeric_limits<unsigned>::max()) {
+    setRange(0);
+  }
 
  private:
+  static constexpr double kExploration = 0.7;
+  static constexpr double kGain = 1;
+
   Eigen::VectorXd towards_goal(const ob::State* state) const {
     const ob::StateSpace& space = *si_->getStateSpace();
     const auto* goal = dynamic_cast<const ob::GoalState*>(pdef_->getGoal().get());
     Eigen::VectorXd field = Eigen::VectorXd::Zero(space.getDimension());
     if (goal == nullptr) return field;
     const Vec2 way = position_of(space, goal->getState()) - position_of(space, state);
-    field.head<2>() = way.norm() > 0 ? Vec2(way.normalized()) : Vec2::UnitX();
+    if (way.norm() > getRange()) field.head<2>() = way.normalized();
     return field;
   }
 };

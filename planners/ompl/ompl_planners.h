@@ -6,19 +6,18 @@
 
 #include "voronaut/planners/catalog/catalog.h"
 
-// Every geometric planner of OMPL 1.5.2 under its own name, one list per family. Two are left out:
-// LightningRetrieveRepair and ThunderRetrieveRepair answer from a database of earlier paths, which
-// a vehicle in an unknown world does not have.
+// Every geometric planner of OMPL 1.5.2 under its own name, one list per family.
 //
 // `reproducible` is what tests/benchmarks/catalog/every_planner_test holds: the same bits from two
 // processes, one of them with the FMA forms of its C library masked.
 namespace voronaut {
 
-std::vector<PlannerEntry> tree_planners();      // grow one or two trees of motions
-std::vector<PlannerEntry> batch_planners();     // order a batch of samples: fast marching, BIT*
-std::vector<PlannerEntry> roadmap_planners();   // PRM, SPARS and a PRM without threads
-std::vector<PlannerEntry> parallel_planners();  // several planners or threads at once
-std::vector<PlannerEntry> guided_planners();    // want more than a space: a field, a task space
+std::vector<PlannerEntry> tree_planners();        // grow one or two trees of motions
+std::vector<PlannerEntry> batch_planners();       // order a batch of samples: fast marching, BIT*
+std::vector<PlannerEntry> roadmap_planners();     // PRM, SPARS and a PRM without threads
+std::vector<PlannerEntry> parallel_planners();    // several planners or threads at once
+std::vector<PlannerEntry> guided_planners();      // want more than a space: a field, a task space
+std::vector<PlannerEntry> experience_planners();  // answer from paths that they have found before
 
 // Planners that improve a path until they are stopped, and do not say so in their specs.
 template <class Planner>
