@@ -39,6 +39,7 @@ struct TraceFrame {
   int plan = -1;                          // index into Trace::plans, -1: none
   int search = -1;                        // the latest search by then (TraceEdge), -1: none kept
   int replan = -1;                        // index into Trace::replan_reasons, -1: kept its plan
+  int solve_end = -1;                     // index into Trace::solve_ends, -1: no solve
   std::size_t known_points = 0;           // how many of Trace::known_points were known by then
   double governed_share = 1;              // of the speed asked for, as the governor allowed it
   std::vector<TracePoint> tube;           // corners of the governor's proved track; empty: none
@@ -77,6 +78,7 @@ struct Trace {
   double max_range_m = 0;
   std::vector<std::string> modes;
   std::vector<std::string> replan_reasons;
+  std::vector<std::string> solve_ends;  // what ended a solve: a budget, or the planner itself
   std::vector<std::vector<TracePoint>> plans;  // in the order in which they were made
   std::vector<TracePoint> known_points;        // in the order in which they became known
   std::vector<std::uint32_t> cluster_of;       // label of each known point when it became known

@@ -77,6 +77,11 @@ int replan_of(const ScanEvent& event, std::vector<std::string>& names) {
   return asked ? index_of(std::string(to_string(event.replan)), names) : -1;
 }
 
+int solve_end_of(const ScanEvent& event, std::vector<std::string>& names) {
+  const bool solved = event.replan != ReplanReason::none;
+  return solved ? index_of(std::string(to_string(event.solve_end)), names) : -1;
+}
+
 void add_clusters(const EpisodeLog& log, const ObstacleSnapshot& known, Trace& trace) {
   for (const Vec2& p : known.points()) trace.known_points.push_back(trace_point(p));
   trace.cluster_of = log.clusters.labels();
@@ -105,6 +110,7 @@ Trace trace_of(const TrialSpec& spec, const EpisodeLog& log, const ObstacleSnaps
     TraceFrame& frame = trace.frames.emplace_back(frame_at(event, log.ticks[event.tick]));
     frame.mode = index_of(shown_mode(event, log), trace.modes);
     frame.replan = replan_of(event, trace.replan_reasons);
+    frame.solve_end = solve_end_of(event, trace.solve_ends);
     frame.search = event.search < trace.kept_searches ? event.search : -1;
   }
   TraceFrame end = frame_at(log.ticks.back());

@@ -132,6 +132,7 @@ void Flight::plan(const VehicleState& state, double now_s) {
   Plan plan = ask_for_plan(*planner, planner_traits, problem, spec.budget);
   ++log.replans;
   ++log.solve_ends[static_cast<std::size_t>(plan.end)];
+  event.solve_end = plan.end;
   event.mode = index_of(log.modes, plan.mode);
   adopt(std::move(plan), now_s);
 }

@@ -26,16 +26,17 @@
 // RRTConnect on OMPL's circle queries through a suite of kind `known` and through
 // ompl::tools::Benchmark, with the same checker and the same seeds:
 //
-//   voronaut-known-against-ompl FOLDER [RUNS]
+//   voronaut-known-against-ompl FOLDER [RUNS [MOTION_US]]
 //
-// FOLDER is that of circle_obstacles.txt and circle_queries.txt, RUNS the seeds of each query. Both
-// are run in turns, a query at a time, so that whatever else the machine does falls on both. Exit
-// code 1 unless each run did the same work both ways.
+// FOLDER is that of circle_obstacles.txt and circle_queries.txt, RUNS the seeds of each query, and
+// the checker takes MOTION_US longer for each motion, both ways, as a costly one would. Both are
+// run in turns, a query at a time, so that whatever else the machine does falls on both. Exit code
+// 1 unless each run did the same work both ways.
 //
 // Benchmark's own property `time` is more than solve(): OMPL 1.5.2's RunPlanner::runThread stops
 // its clock when solve(ptc, 0.1) has returned, whose termination condition polls in a thread of its
 // own, which its destructor joins: the thread sleeps 1 ms at a time and has to be scheduled to
-// notice. So the clock of the comparison is within the planner.
+// notice. So there is a clock within the planner too.
 namespace voronaut {
 namespace {
 
@@ -97,8 +98,42 @@ std::uint64_t seed_of(const TrialSpec& query, int run) {
   return derive_seed(1, {query.scenario.name}, run);
 }
 
-std::vector<Run> through_us(const TrialSpec& query, int runs) {
-  const PlannerCatalog planners = PlannerCatalog::built_in();
+// The problem's own motion validator, and then some time.
+class CostlyMotions : public ob::MotionValidator {
+ public:
+  CostlyMotions(const ob::SpaceInformationPtr& si, double motion_us)
+      : MotionValidator(si), exact_(si->getMotionValidator()), spent_(motion_us) {}
+
+  bool checkMotion(const ob::State* from, const ob::State* to) const override {
+    wait();
+    return exact_->checkMotion(from, to);
+  }
+  bool checkMotion(const ob::State* from, const ob::State* to,
+                   std::pair<ob::State*, double>& last_valid) const override {
+    wait();
+    return exact_->checkMotion(from, to, last_valid);
+  }
+
+ private:
+  void wait() const {
+    const auto end = std::chrono::steady_clock::now() + spent_;
+    while (std::chrono::steady_clock::now() < end) continue;
+  }
+
+  ob::MotionValidatorPtr exact_;
+  std::chrono::duration<double, std::micro> spent_;
+};
+
+void make_costly(const ob::SpaceInformationPtr& si, double motion_us) {
+  if (motion_us > 0) si->setMotionValidator(std::make_shared<CostlyMotions>(si, motion_us));
+}
+
+std::vector<Run> through_us(const TrialSpec& query, int runs, double motion_us) {
+  PlannerCatalog planners;
+  planners.add({"RRTConnect", "OMPL's", {}, [motion_us](const ob::SpaceInformationPtr& si) {
+                  make_costly(si, motion_us);
+                  return std::make_shared<ompl::geometric::RRTConnect>(si);
+                }});
   std::string text;
   for (int run = 0; run < runs; ++run) {
     TrialSpec spec = query;
@@ -150,10 +185,11 @@ void seed_as_a_trial(std::uint64_t planner_seed) {
   const std::array<ompl::RNG, 3> before_the_sampler;
 }
 
-std::vector<Run> through_ompl(const TrialSpec& query, int runs) {
+std::vector<Run> through_ompl(const TrialSpec& query, int runs, double motion_us) {
   const ChildReport child = run_in_child(
       [&] {
         const KnownProblem problem(query.scenario, query.vehicle.clearance_min_m);
+        make_costly(problem.space_information(), motion_us);
         ompl::geometric::SimpleSetup setup(problem.space_information());
         setup.addStartState(ob::ScopedState<>(problem.space_information()->getStateSpace(),
                                               problem.definition()->getStartState(0)));
@@ -230,11 +266,12 @@ struct Comparison {
     std::printf("  %-44s %10.1f\n", "ompl::tools::Benchmark, its property time", benchmark_us / n);
     std::printf("ratio within solve() %.3f, of single queries %.3f .. %.3f (quartiles)\n",
                 ours_us / solve_us, quantile(ratios, 0.25), quantile(ratios, 0.75));
+    std::printf("ratio to its property time %.3f\n", ours_us / benchmark_us);
     std::printf("the same work both ways, and solved: %d of %d runs\n", same_work, runs);
   }
 };
 
-int compare(const std::string& folder, int runs) {
+int compare(const std::string& folder, int runs, double motion_us) {
   const Circles circles = read(folder);
   if (circles.queries.empty()) {
     std::cerr << folder << ": no circle_queries.txt here\n";
@@ -243,7 +280,7 @@ int compare(const std::string& folder, int runs) {
   Comparison comparison;
   for (std::size_t i = 0; i < circles.queries.size(); ++i) {
     const TrialSpec spec = query_of(circles, i);
-    comparison.add(through_us(spec, runs), through_ompl(spec, runs));
+    comparison.add(through_us(spec, runs, motion_us), through_ompl(spec, runs, motion_us));
     comparison.runs += runs;
   }
   comparison.print();
@@ -256,9 +293,10 @@ int compare(const std::string& folder, int runs) {
 int main(int argc, char** argv) {
   ompl::msg::setLogLevel(ompl::msg::LOG_NONE);
   const int runs = argc > 2 ? std::atoi(argv[2]) : 20;
-  if (argc < 2 || argc > 3 || runs < 1) {
-    std::cerr << "usage: voronaut-known-against-ompl FOLDER [RUNS]\n";
+  const double motion_us = argc > 3 ? std::atof(argv[3]) : 0;
+  if (argc < 2 || argc > 4 || runs < 1 || motion_us < 0) {
+    std::cerr << "usage: voronaut-known-against-ompl FOLDER [RUNS [MOTION_US]]\n";
     return 2;
   }
-  return voronaut::compare(argv[1], runs);
+  return voronaut::compare(argv[1], runs, motion_us);
 }

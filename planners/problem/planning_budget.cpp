@@ -14,6 +14,24 @@ namespace voronaut {
 
 namespace ob = ompl::base;
 
+std::string_view to_string(SolveEnd end) {
+  switch (end) {
+    case SolveEnd::planner:
+      break;
+    case SolveEnd::first_solution:
+      return "first_solution";
+    case SolveEnd::state_checks:
+      return "state_checks";
+    case SolveEnd::ptc_evaluations:
+      return "ptc_evaluations";
+    case SolveEnd::iterations:
+      return "iterations";
+    case SolveEnd::wall_clock:
+      return "wall_clock";
+  }
+  return "planner";
+}
+
 struct BudgetMeter::Spending {
   using Clock = std::chrono::steady_clock;
 

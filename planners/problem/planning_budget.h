@@ -4,6 +4,7 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <string_view>
 #include <vector>
 
 #include <ompl/base/Planner.h>
@@ -37,6 +38,7 @@ enum class SolveEnd {
   wall_clock,
 };
 inline constexpr std::size_t kSolveEnds = 6;
+std::string_view to_string(SolveEnd end);
 
 // Counts what one solve spends. Copies share the count. May be asked from several threads.
 class BudgetMeter {

@@ -14,7 +14,7 @@ namespace {
 
 using nlohmann::json;
 
-constexpr int kVersion = 2;
+constexpr int kVersion = 3;
 constexpr double kPerMetre = kTracePerMetre;
 constexpr double kRangePerMetre = 100.0;
 constexpr std::int64_t kNoReturn = -1;
@@ -64,6 +64,8 @@ void visit_columns(Visitor&& v) {
       "search", [](auto& f) -> auto& { return f.search; }, 1.0);
   v(
       "replan", [](auto& f) -> auto& { return f.replan; }, 1.0);
+  v(
+      "solve_end", [](auto& f) -> auto& { return f.solve_end; }, 1.0);
   v(
       "share_1e3", [](auto& f) -> auto& { return f.governed_share; }, 1e3);
   v(
@@ -156,6 +158,7 @@ std::string trace_to_json(const Trace& trace) {
   out["max_range_m"] = trace.max_range_m;
   out["modes"] = trace.modes;
   out["replan_reasons"] = trace.replan_reasons;
+  out["solve_ends"] = trace.solve_ends;
   out["plans"] = polylines_to_json(trace.plans);
   out["known_points"] = points_to_json(trace.known_points, kPerMetre);
   out["cluster_of"] = trace.cluster_of;
@@ -185,6 +188,7 @@ Trace trace_from_json(std::string_view text) {
     in.at("max_range_m").get_to(trace.max_range_m);
     in.at("modes").get_to(trace.modes);
     in.at("replan_reasons").get_to(trace.replan_reasons);
+    in.at("solve_ends").get_to(trace.solve_ends);
     in.at("cluster_of").get_to(trace.cluster_of);
     trace.merges = merges_from_json(in.at("merges"));
     trace.plans = polylines_from_json(in.at("plans"));

@@ -12,10 +12,10 @@
 // number of a frame that is not finite becomes null and reads back as NaN; a range without a return
 // reads back as max_range_m.
 //
-// Layout (version 2):
-//   {"version":2, "trial_id":..., "body_radius_m":..., "clearance_min_m":...,
+// Layout (version 3):
+//   {"version":3, "trial_id":..., "body_radius_m":..., "clearance_min_m":...,
 //    "field_of_view_rad":..., "max_range_m":..., "modes":[...], "replan_reasons":[...],
-//    "plans":[[dx,dy,...],...], "known_points":[dx,dy,...], "cluster_of":[...],
+//    "solve_ends":[...], "plans":[[dx,dy,...],...], "known_points":[dx,dy,...], "cluster_of":[...],
 //    "merges":[frame,from,into,...], "hulls":[[dx,dy,...],...], "searches":n, "kept_searches":n,
 //    "known":false, "improvements":[[checks,...],[us,...],[um,...]],
 //    "edges":{"ends_cm":[dx,dy,...], "first":[...], "on":[searches more,...]},

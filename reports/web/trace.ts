@@ -19,6 +19,7 @@ export interface Frames {
   plan: Float64Array;
   search: Float64Array;  // the latest by then, -1: none was kept
   replan: Float64Array;
+  solve_end: Float64Array;
   share: Float64Array;
   tube: Float64Array[];  // x, y, x, y ...
   known: Float64Array;
@@ -33,6 +34,7 @@ export interface Trace {
   max_range_m: number;
   modes: string[];
   replan_reasons: string[];
+  solve_ends: string[];
   plans: Float64Array[];  // x, y, x, y ...
   known_points: Float64Array;
   cluster_of: number[];  // when the point became known
@@ -44,7 +46,7 @@ export interface Trace {
   frames: Frames;
 }
 
-const kVersion = 2;
+const kVersion = 3;
 
 function undelta(column: (number | null)[], scale: number): Float64Array {
   const out = new Float64Array(column.length);
@@ -95,6 +97,7 @@ function decodeTrace(json: string): Trace {
     max_range_m: raw.max_range_m,
     modes: raw.modes,
     replan_reasons: raw.replan_reasons,
+    solve_ends: raw.solve_ends,
     plans: raw.plans.map(metres),
     known_points: metres(raw.known_points),
     cluster_of: raw.cluster_of,
@@ -122,6 +125,7 @@ function decodeTrace(json: string): Trace {
       plan: undelta(f.plan, 1),
       search: undelta(f.search, 1),
       replan: undelta(f.replan, 1),
+      solve_end: undelta(f.solve_end, 1),
       share: undelta(f.share_1e3, 1e3),
       tube: f.tube_mm.map((flat: number[], i: number) => points(flat, 1000, x_m[i], y_m[i])),
       known: undelta(f.known, 1),

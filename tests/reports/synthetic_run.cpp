@@ -189,6 +189,7 @@ Trace make_trace(const std::string& trial_id, const TraceWorld& world, std::uint
   trace.max_range_m = kMaxRange;
   trace.modes = {"none", "left", "right", "between"};
   trace.replan_reasons = {"no_plan", "invalidated"};
+  trace.solve_ends = {"planner", "state_checks"};
   double x = world.start.x_m;
   double y = world.start.y_m;
   double heading = std::numbers::pi / 4;
@@ -230,6 +231,7 @@ Trace make_trace(const std::string& trial_id, const TraceWorld& world, std::uint
       trace.plans.push_back({{x, y}, {frame.target_x_m, frame.target_y_m}, world.goal});
       add_search(trace, world, frame);
       frame.replan = i == 0 ? 0 : 1;
+      frame.solve_end = i % 80 == 0 ? 1 : 0;
     }
     frame.search = trace.searches - 1;
     frame.governed_share = std::clamp(0.001 * std::round(1000 * frame.clearance_m), 0.05, 1.0);

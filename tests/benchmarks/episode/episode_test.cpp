@@ -1,5 +1,7 @@
 #include "voronaut/benchmarks/episode/episode.h"
 
+#include <map>
+
 #include <gtest/gtest.h>
 #include <ompl/base/goals/GoalState.h>
 #include <ompl/geometric/PathGeometric.h>
@@ -102,6 +104,20 @@ TEST(Episode, ATraceHasAFrameForEveryScanAndTheEnd) {
   EXPECT_EQ(trace.known_points.size(), static_cast<std::size_t>(result.record.map_points));
   EXPECT_EQ(trace.cluster_of.size(), trace.known_points.size());
   EXPECT_EQ(trace.frames.front().range_m.size(), 91U);
+}
+
+TEST(Episode, ATraceNamesWhatEndedEachSolve) {
+  TrialSpec spec = trial(around({{Vec2(4, 0.2), 0.5}}, Vec2(8, 0)), "quadrotor", "RRTstar");
+  spec.budget.state_checks = 300;
+  const TrialResult result = run_trial(spec, planners(), true);
+  ASSERT_TRUE(result.trace);
+  std::map<std::string, std::int64_t> solves;
+  for (const TraceFrame& frame : result.trace->frames)
+    if (frame.solve_end >= 0)
+      ++solves[result.trace->solve_ends[static_cast<std::size_t>(frame.solve_end)]];
+  EXPECT_GT(result.record.stops_state_checks, 0);
+  EXPECT_EQ(solves["state_checks"], result.record.stops_state_checks);
+  EXPECT_EQ(solves["planner"], result.record.replans - result.record.budget_stops);
 }
 
 TEST(Episode, ATraceOfAGovernedFlightTellsWhatGovernorAndPlannerThought) {

@@ -44,6 +44,7 @@ void expect_frames_near(const TraceFrame& a, const TraceFrame& b) {
   EXPECT_EQ(a.known_points, b.known_points);
   EXPECT_EQ(a.search, b.search);
   EXPECT_EQ(a.replan, b.replan);
+  EXPECT_EQ(a.solve_end, b.solve_end);
   EXPECT_NEAR(a.governed_share, b.governed_share, 0.5e-3 + 1e-9);
   expect_points_near(a.tube, b.tube);
   ASSERT_EQ(a.range_m.size(), b.range_m.size());
@@ -77,6 +78,7 @@ TEST(TraceJson, KeepsEverythingAtTheStatedResolution) {
     EXPECT_EQ(back.max_range_m, trace.max_range_m);
     EXPECT_EQ(back.modes, trace.modes);
     EXPECT_EQ(back.replan_reasons, trace.replan_reasons);
+    EXPECT_EQ(back.solve_ends, trace.solve_ends);
     EXPECT_EQ(back.searches, trace.searches);
     EXPECT_EQ(back.kept_searches, trace.kept_searches);
     EXPECT_EQ(back.cluster_of, trace.cluster_of);
@@ -175,7 +177,7 @@ TEST(TraceJson, RefusesWhatItDoesNotWrite) {
   };
   EXPECT_THROW(trace_from_json(""), std::invalid_argument);
   EXPECT_THROW(trace_from_json("[]"), std::invalid_argument);
-  EXPECT_THROW(trace_from_json(broken(R"("version":2)", R"("version":1)")), std::invalid_argument);
+  EXPECT_THROW(trace_from_json(broken(R"("version":3)", R"("version":2)")), std::invalid_argument);
   EXPECT_THROW(trace_from_json(broken(R"("x_mm":[0,0])", R"("x_mm":[0])")), std::invalid_argument);
   EXPECT_THROW(trace_from_json(broken(R"("mode":[-1)", R"("mode":[null)")), std::invalid_argument);
   EXPECT_THROW(trace_from_json(broken(R"("known":[0)", R"("known":[-5)")), std::invalid_argument);
