@@ -31,6 +31,8 @@ if(VORONAUT_SANITIZERS)
   target_compile_options(voronaut_build_options INTERFACE
     -fsanitize=${VORONAUT_SANITIZERS} -fno-omit-frame-pointer)
   target_link_options(voronaut_build_options INTERFACE -fsanitize=${VORONAUT_SANITIZERS})
+  # Under a sanitizer Eigen aligns by itself, and OMPL frees vectors of ours as plain memory.
+  target_compile_definitions(voronaut_determinism INTERFACE EIGEN_MALLOC_ALREADY_ALIGNED=1)
 endif()
 if(VORONAUT_COVERAGE)
   target_compile_options(voronaut_build_options INTERFACE --coverage)
