@@ -7,8 +7,9 @@
 namespace voronaut {
 
 // Adds the planners of a shared library (planners/catalog/plugin.h) to the catalogue. The library
-// stays loaded. Throws std::invalid_argument, naming the file, if it cannot be loaded, is no
-// plugin, was built for another version or fails to add its planners.
+// stays loaded; it is loaded in a child process first. Throws std::invalid_argument, naming the
+// file, if it cannot be loaded, aborts or hangs meanwhile, is no plugin, was built for another
+// version or fails to add its planners.
 void load_plugin(const std::string& file, PlannerCatalog& planners);
 
 }  // namespace voronaut

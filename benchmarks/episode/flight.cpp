@@ -44,7 +44,7 @@ const PlannerEntry& planner_entry(const TrialSpec& spec, const PlannerCatalog& p
 ompl::base::PlannerPtr make_planner(const TrialSpec& spec, const PlannerEntry& entry,
                                     const PlanningProblem& problem) {
   ompl::base::PlannerPtr planner = entry.make(problem.space_information());
-  set_parameters(*planner, spec.planner.params);
+  set_parameters(*planner, spec.planner.name, spec.planner.params);
   return planner;
 }
 

@@ -27,7 +27,7 @@ struct KnownSolve {
   KnownSolve(const TrialSpec& spec, const PlannerCatalog& planners, bool watch)
       : problem(spec.scenario, spec.vehicle.clearance_min_m) {
     planner = planners.find(spec.planner.name)->make(problem.space_information());
-    set_parameters(*planner, spec.planner.params);
+    set_parameters(*planner, spec.planner.name, spec.planner.params);
     planner->setProblemDefinition(problem.definition());
     planner->setup();
     const BudgetMeter meter(spec.budget, [this] { return problem.state_checks(); });

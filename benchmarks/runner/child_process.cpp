@@ -6,6 +6,7 @@
 #include <cmath>
 #include <csignal>
 #include <cstdio>
+#include <cstring>
 #include <new>
 #include <system_error>
 
@@ -18,6 +19,7 @@
 #include <unistd.h>
 
 #include "voronaut/benchmarks/runner/child_side.h"
+#include "voronaut/environments/config/config_node.h"
 
 namespace voronaut {
 
@@ -57,7 +59,33 @@ std::string failed_assertion(int error_fd) {
 
 std::string first_line(const std::string& text) { return text.substr(0, text.find('\n')); }
 
+std::string signal_in_words(const ChildReport& report) {
+  const char* name = sigabbrev_np(report.code);
+  const std::string text = name ? "SIG" + std::string(name) : std::to_string(report.code);
+  return "ended by " + text + (report.message.empty() ? "" : ": " + report.message);
+}
+
 }  // namespace
+
+std::string end_in_words(const ChildReport& report, const ProcessLimits& limits) {
+  switch (report.end) {
+    case ChildReport::End::exception:
+      return "exception: " + report.message;
+    case ChildReport::End::exited:
+      return "ended the process with exit code " + std::to_string(report.code);
+    case ChildReport::End::signalled:
+      return signal_in_words(report);
+    case ChildReport::End::memory:
+      return "asked for more than " + number_text(limits.memory_mb) + " MB of memory";
+    case ChildReport::End::cpu_limit:
+      return "used more than " + number_text(limits.cpu_s) + " s of CPU time";
+    case ChildReport::End::wall_limit:
+      return "took longer than " + number_text(limits.wall_s) + " s";
+    case ChildReport::End::finished:
+      break;
+  }
+  return "sent a garbled result";
+}
 
 ChildProcess::ChildProcess(const Work& work, const ProcessLimits& limits, Streams streams)
     : cpu_limit_s_(std::ceil(limits.cpu_s)) {

@@ -34,6 +34,9 @@ struct ChildReport {
   double memory_max_mb = 0;  // largest resident set, pages shared with the parent included
 };
 
+// Why it brought no result, in one line: "ended by SIGABRT: a.h:12: f: Assertion `x' failed.".
+std::string end_in_words(const ChildReport& report, const ProcessLimits& limits);
+
 // One child. The parent must have a single thread when it starts one. The child runs in a process
 // group of its own, so that a Ctrl-C on the terminal reaches the parent only, and dies with the
 // parent. It ends without running destructors of the parent's objects.

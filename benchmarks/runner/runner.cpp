@@ -1,6 +1,5 @@
 #include "voronaut/benchmarks/runner/runner.h"
 
-#include <cstring>
 #include <stdexcept>
 
 #include "voronaut/benchmarks/runner/packed_trial.h"
@@ -23,37 +22,16 @@ std::string fly_and_pack(const TrialSpec& spec, const FlyTrial& fly, TraceKeepin
   return pack(packed);
 }
 
-std::string signal_text(const ChildReport& report) {
-  const char* name = sigabbrev_np(report.code);
-  const std::string text = name ? "SIG" + std::string(name) : std::to_string(report.code);
-  return "ended by " + text + (report.message.empty() ? "" : ": " + report.message);
-}
-
-RunRecord record_of_end(const TrialSpec& spec, const ChildReport& report,
-                        const ProcessLimits& limits) {
-  using End = ChildReport::End;
-  switch (report.end) {
-    case End::exception:
-      return record_of_failure(spec, Outcome::crash, "exception: " + report.message);
-    case End::exited:
-      return record_of_failure(spec, Outcome::crash,
-                               "ended the process with exit code " + std::to_string(report.code));
-    case End::signalled:
-      return record_of_failure(spec, Outcome::crash, signal_text(report));
-    case End::memory:
-      return record_of_failure(
-          spec, Outcome::memory,
-          "asked for more than " + number_text(limits.memory_mb) + " MB of memory");
-    case End::cpu_limit:
-      return record_of_failure(spec, Outcome::killed,
-                               "used more than " + number_text(limits.cpu_s) + " s of CPU time");
-    case End::wall_limit:
-      return record_of_failure(spec, Outcome::killed,
-                               "took longer than " + number_text(limits.wall_s) + " s");
-    case End::finished:
-      break;
+Outcome outcome_of(ChildReport::End end) {
+  switch (end) {
+    case ChildReport::End::memory:
+      return Outcome::memory;
+    case ChildReport::End::cpu_limit:
+    case ChildReport::End::wall_limit:
+      return Outcome::killed;
+    default:
+      return Outcome::crash;
   }
-  return record_of_failure(spec, Outcome::crash, "sent a garbled result");
 }
 
 PackedTrial result_of(const TrialSpec& spec, const ChildReport& report,
@@ -67,7 +45,8 @@ PackedTrial result_of(const TrialSpec& spec, const ChildReport& report,
       whole = false;
     }
   }
-  if (!whole) result = {record_of_end(spec, report, limits), {}};
+  if (!whole)
+    result = {record_of_failure(spec, outcome_of(report.end), end_in_words(report, limits)), {}};
   result.record.cpu_time_s = report.cpu_time_s;
   result.record.memory_max_mb = report.memory_max_mb;
   return result;

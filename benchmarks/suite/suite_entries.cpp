@@ -56,6 +56,21 @@ std::string parameter_text(const ConfigNode& value) {
   return text == "false" ? "0" : text;
 }
 
+// OMPL's getName() where it is another than the class's, which is the catalogue's.
+const std::map<std::string, std::string> kNamesInOmpl = {{"APS", "AnytimePathShortening"},
+                                                         {"RRT#", "RRTsharp"},
+                                                         {"kABITstar", "ABITstar"},
+                                                         {"kBITstar", "BITstar"}};
+
+std::string planner_name(const ConfigNode& node, const PlannerCatalog& planners) {
+  const auto of_ompl = kNamesInOmpl.find(node.text());
+  if (of_ompl != kNamesInOmpl.end() && planners.find(of_ompl->first) == nullptr)
+    throw node.error("no planner " + in_quotes(of_ompl->first) +
+                     ": OMPL's planner of this name is '" + of_ompl->second +
+                     "' here, as its class");
+  return known_name(node, "planner", names_of(planners));
+}
+
 void read_label(const ConfigNode& entry, std::string& label) {
   const auto node = entry.is_map() ? entry.find("label") : std::nullopt;
   if (!node) return;
@@ -63,33 +78,40 @@ void read_label(const ConfigNode& entry, std::string& label) {
   if (label.empty()) throw node->error("expected a label, got ''");
 }
 
-using Keys = std::vector<std::string>;
+// A planner is made, and given parameters, in a process of its own: it may throw, abort or hang.
+constexpr ProcessLimits kTryLimits{.memory_mb = 4096, .cpu_s = 10, .wall_s = 10};
 
-struct Refusal {
-  std::size_t index;  // of the key
-  std::string text;
-};
-
-// Makes the planner and gives it its parameters one by one, in a process of its own: what a planner
-// that throws or aborts does there becomes the outcome of its trials, not the end of the run.
-std::optional<Refusal> try_parameters(const PlannerEntry& entry, const Keys& keys,
-                                      const std::map<std::string, std::string>& params) {
+// Why a planner cannot be made or does not take one of the parameters, empty if all is well.
+std::string try_planner(const PlannerEntry& entry,
+                        const std::map<std::string, std::string>& params) {
   const auto work = [&]() -> std::string {
     PlanningProblem problem({.bounds_world = {Vec2(-1, -1), Vec2(1, 1)}});
     const auto planner = entry.make(problem.space_information());
-    for (std::size_t i = 0; i < keys.size(); ++i) {
-      try {
-        set_parameters(*planner, {{keys[i], params.at(keys[i])}});
-      } catch (const std::invalid_argument& error) {
-        return std::to_string(i) + " " + error.what();
-      }
+    if (!planner) return "planner '" + entry.name + "' cannot be made: its factory gives none";
+    try {
+      set_parameters(*planner, entry.name, params);
+    } catch (const std::invalid_argument& error) {
+      return error.what();
     }
     return {};
   };
-  const ChildReport report = run_in_child(work, {.memory_mb = 1024, .cpu_s = 10, .wall_s = 20});
-  if (report.end != ChildReport::End::finished || report.output.empty()) return std::nullopt;
-  const std::size_t blank = report.output.find(' ');
-  return Refusal{std::stoul(report.output.substr(0, blank)), report.output.substr(blank + 1)};
+  const ChildReport report = run_in_child(work, kTryLimits);
+  if (report.end == ChildReport::End::finished) return report.output;
+  const std::string what = params.empty() ? "cannot be made" : "does not survive this value";
+  return "planner '" + entry.name + "' " + what + ": " + end_in_words(report, kTryLimits);
+}
+
+// Throws at the value that the planner does not take, at the entry if it cannot even be made.
+void require_makeable(const ConfigNode& entry, const PlannerEntry& planner,
+                      const PlannerSpec& spec) {
+  if (const std::string why = try_planner(planner, {}); !why.empty()) throw entry.error(why);
+  if (spec.params.empty()) return;
+  const ConfigNode params = entry.child("params");
+  for (const std::string& key : params.keys())
+    if (const std::string why = try_planner(planner, {{key, spec.params.at(key)}}); !why.empty())
+      throw params.child(key).error(why);
+  if (const std::string why = try_planner(planner, spec.params); !why.empty())
+    throw params.error(why);
 }
 
 }  // namespace
@@ -125,23 +147,15 @@ PlannerSpec read_planner(const ConfigNode& entry, const PlannerCatalog& planners
                          const NavigationConfig& navigation) {
   if (entry.is_map()) entry.allow_only({"name", "label", "params", "navigation"});
   PlannerSpec spec;
-  spec.name = known_name(name_node(entry), "planner", names_of(planners));
+  spec.name = planner_name(name_node(entry), planners);
   spec.label = spec.name;
   read_label(entry, spec.label);
   if (const auto own = entry.is_map() ? entry.find("navigation") : std::nullopt)
     read_into(*own, spec.navigation.emplace(navigation));
-  const auto params = entry.is_map() ? entry.find("params") : std::nullopt;
-
-  std::vector<ConfigNode> values;
-  if (params) {
-    for (const std::string& key : params->keys()) {
-      values.push_back(params->child(key));
-      spec.params[key] = parameter_text(values.back());
-    }
-  }
-  if (const auto refusal =
-          try_parameters(*planners.find(spec.name), params ? params->keys() : Keys{}, spec.params))
-    throw values[refusal->index].error(refusal->text);
+  if (const auto params = entry.is_map() ? entry.find("params") : std::nullopt)
+    for (const std::string& key : params->keys())
+      spec.params[key] = parameter_text(params->child(key));
+  require_makeable(entry, *planners.find(spec.name), spec);
   return spec;
 }
 

@@ -47,9 +47,12 @@ class PlannerCatalog {
 };
 
 // Sets a planner's parameters by their declared names, as text. "preset" is applied first, so that
-// the others refine it, whatever their order.
+// the others refine it, whatever their order. `catalogue_name` is the planner's name in errors
+// (OMPL's RRTsharp calls itself RRT#).
 // Throws std::invalid_argument: for an unknown name with the known ones and the nearest, for a
-// value that the parameter refuses with what it allows. Parameters set before that stay set.
-void set_parameters(ompl::base::Planner& planner, const std::map<std::string, std::string>& values);
+// value that the parameter refuses, would alter or ignore, or that lies outside its declared range
+// (parameter_range.h), with what is allowed. Parameters set before that stay set.
+void set_parameters(ompl::base::Planner& planner, const std::string& catalogue_name,
+                    const std::map<std::string, std::string>& values);
 
 }  // namespace voronaut

@@ -1,12 +1,15 @@
 #include <algorithm>
-#include <charconv>
-#include <cmath>
+#include <array>
 #include <numeric>
 #include <stdexcept>
 #include <utility>
 #include <vector>
 
+#include <ompl/util/Console.h>
+#include <ompl/util/Exception.h>
+
 #include "voronaut/planners/catalog/catalog.h"
+#include "voronaut/planners/catalog/parameter_range.h"
 
 namespace voronaut {
 
@@ -14,7 +17,8 @@ namespace ob = ompl::base;
 
 namespace {
 
-constexpr const char* kPreset = "preset";
+// A preset sets all others; the range of OMPL's LazyPRM takes max_nearest_neighbors back.
+constexpr std::array kFirst{"preset", "range"};
 
 // Levenshtein's edit distance, one row at a time.
 std::size_t edit_distance(const std::string& a, const std::string& b) {
@@ -41,61 +45,86 @@ std::string nearest(const std::string& name, const std::vector<std::string>& kno
 std::string unknown_parameter(const ob::Planner& planner, const std::string& name) {
   std::vector<std::string> known;
   planner.params().getParamNames(known);
-  std::string message = "planner '" + planner.getName() + "' has no parameter '" + name + "'";
+  std::string message = " has no parameter '" + name + "'";
   if (known.empty()) return message + "; it has none";
   message += "; did you mean '" + nearest(name, known) + "'? It has:";
   for (const std::string& each : known) message += " " + each;
   return message;
 }
 
-// OMPL reads numbers as a prefix ("1.5x" is 1.5): the whole text must be one.
-bool is_number(const std::string& text) {
-  double value = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  return error == std::errc{} && end == text.data() + text.size() && std::isfinite(value);
-}
-
-bool is_numeric(const ob::GenericParam& param) {
-  return dynamic_cast<const ob::SpecificParam<double>*>(&param) ||
-         dynamic_cast<const ob::SpecificParam<float>*>(&param) ||
-         dynamic_cast<const ob::SpecificParam<int>*>(&param) ||
-         dynamic_cast<const ob::SpecificParam<unsigned int>*>(&param) ||
-         dynamic_cast<const ob::SpecificParam<std::size_t>*>(&param);
-}
-
-// OMPL takes any word for a flag.
-bool is_flag(const std::string& text) {
-  return text == "0" || text == "1" || text == "false" || text == "true";
-}
-
-bool try_set(ob::GenericParam& param, const std::string& value) {
-  if (is_numeric(param) && !is_number(value)) return false;
-  if (dynamic_cast<const ob::SpecificParam<bool>*>(&param) && !is_flag(value)) return false;
-  try {
-    return param.setValue(value);
-  } catch (const std::out_of_range&) {
-    return false;
+// What OMPL complains about as long as this lives, instead of printing it: the list of planners of
+// AnytimePathShortening does no more than that about a name, a parameter or a value it cannot read.
+class Complaints : ompl::msg::OutputHandler {
+ public:
+  Complaints() : printer_(ompl::msg::getOutputHandler()), level_printed_(ompl::msg::getLogLevel()) {
+    ompl::msg::useOutputHandler(this);
+    ompl::msg::setLogLevel(ompl::msg::LOG_WARN);
   }
+  Complaints(const Complaints&) = delete;
+  Complaints& operator=(const Complaints&) = delete;
+  ~Complaints() override {
+    ompl::msg::setLogLevel(level_printed_);
+    ompl::msg::useOutputHandler(printer_);
+  }
+
+  const std::string& first() const { return first_; }  // empty if there was none
+
+ private:
+  void log(const std::string& text, ompl::msg::LogLevel level, const char*, int) override {
+    // Other warnings are general remarks, as BITstar's when it is made.
+    const bool refused = level >= ompl::msg::LOG_ERROR || text.starts_with("Invalid value format");
+    if (refused && first_.empty()) first_ = text;
+  }
+
+  ompl::msg::OutputHandler* printer_;
+  ompl::msg::LogLevel level_printed_;
+  std::string first_;
+};
+
+// Why the parameter does not take the value, empty if it does.
+std::string refusal_of(ob::GenericParam& param, const std::string& value) {
+  const ParameterRange range(param);
+  const std::string allowed = range.allowed().empty() ? "" : "; allowed: " + range.allowed();
+  if (!range.allows(value)) return allowed;
+  Complaints complaints;
+  try {
+    if (!param.setValue(value)) return allowed;
+  } catch (const std::out_of_range&) {
+    return allowed;
+  } catch (const ompl::Exception& error) {
+    return std::string("; OMPL: ") + error.what();
+  }
+  if (range.kind == ParameterRange::Kind::flag && param.getValue() != value)
+    return "; OMPL leaves it at '" + param.getValue() + "'";
+  if (range.kind == ParameterRange::Kind::text && !complaints.first().empty())
+    return "; OMPL: " + complaints.first();
+  return "";
 }
 
 void set_one(ob::Planner& planner, const std::string& name, const std::string& value) {
   if (!planner.params().hasParam(name))
     throw std::invalid_argument(unknown_parameter(planner, name));
-  ob::GenericParam& param = planner.params()[name];
-  if (try_set(param, value)) return;
-  std::string message =
-      "planner '" + planner.getName() + "': parameter '" + name + "' cannot be '" + value + "'";
-  if (!param.getRangeSuggestion().empty()) message += "; allowed: " + param.getRangeSuggestion();
-  throw std::invalid_argument(message);
+  const std::string refusal = refusal_of(planner.params()[name], value);
+  if (!refusal.empty())
+    throw std::invalid_argument(": parameter '" + name + "' cannot be '" + value + "'" + refusal);
 }
 
 }  // namespace
 
-void set_parameters(ob::Planner& planner, const std::map<std::string, std::string>& values) {
-  if (const auto preset = values.find(kPreset); preset != values.end())
-    set_one(planner, kPreset, preset->second);
-  for (const auto& [name, value] : values)
-    if (name != kPreset) set_one(planner, name, value);
+void set_parameters(ob::Planner& planner, const std::string& catalogue_name,
+                    const std::map<std::string, std::string>& values) {
+  const auto set_if_given = [&](const char* name) {
+    if (const auto given = values.find(name); given != values.end())
+      set_one(planner, name, given->second);
+  };
+  try {
+    for (const char* name : kFirst) set_if_given(name);
+    for (const auto& [name, value] : values)
+      if (std::find(kFirst.begin(), kFirst.end(), name) == kFirst.end())
+        set_one(planner, name, value);
+  } catch (const std::invalid_argument& error) {
+    throw std::invalid_argument("planner '" + catalogue_name + "'" + error.what());
+  }
 }
 
 }  // namespace voronaut

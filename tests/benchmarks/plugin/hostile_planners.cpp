@@ -1,8 +1,11 @@
+#include <chrono>
 #include <cstdlib>
 #include <stdexcept>
+#include <thread>
 #include <vector>
 
 #include <ompl/base/Planner.h>
+#include <ompl/geometric/PathGeometric.h>
 
 #include "voronaut/planners/catalog/plugin.h"
 
@@ -15,7 +18,9 @@ using Deed = void (*)();
 
 class Hostile : public ob::Planner {
  public:
-  Hostile(const ob::SpaceInformationPtr& si, Deed deed) : Planner(si, "Hostile"), deed_(deed) {}
+  Hostile(const ob::SpaceInformationPtr& si, Deed deed) : Planner(si, "Hostile"), deed_(deed) {
+    declareParam<unsigned>("fuse", this, &Hostile::light, &Hostile::fuse);
+  }
 
   ob::PlannerStatus solve(const ob::PlannerTerminationCondition&) override {
     deed_();
@@ -23,7 +28,36 @@ class Hostile : public ob::Planner {
   }
 
  private:
+  void light(unsigned fuse) {
+    if (fuse > 0) std::abort();
+  }
+  unsigned fuse() const { return 0; }
+
   Deed deed_;
+};
+
+// Says that it has a path, and has none.
+class Boastful : public ob::Planner {
+ public:
+  explicit Boastful(const ob::SpaceInformationPtr& si) : Planner(si, "Boastful") {}
+
+  ob::PlannerStatus solve(const ob::PlannerTerminationCondition&) override {
+    return ob::PlannerStatus::EXACT_SOLUTION;
+  }
+};
+
+// Says that its path reaches the goal, and stays where it starts.
+class Homebody : public ob::Planner {
+ public:
+  explicit Homebody(const ob::SpaceInformationPtr& si) : Planner(si, "Homebody") {}
+
+  ob::PlannerStatus solve(const ob::PlannerTerminationCondition&) override {
+    const auto path = std::make_shared<ompl::geometric::PathGeometric>(si_);
+    path->append(pdef_->getStartState(0));
+    path->append(pdef_->getStartState(0));
+    pdef_->addSolutionPath(path);
+    return ob::PlannerStatus::EXACT_SOLUTION;
+  }
 };
 
 void throw_up() { throw std::runtime_error("no idea how to go on"); }
@@ -37,6 +71,11 @@ void loop() {
 void leak() {
   static std::vector<std::vector<char>> kept;
   while (true) kept.emplace_back(1 << 20, 'x');
+}
+
+template <class Planner>
+ob::PlannerPtr make(const ob::SpaceInformationPtr& si) {
+  return std::make_shared<Planner>(si);
 }
 
 void add(voronaut::PlannerCatalog& planners, const char* name, Deed deed) {
@@ -56,4 +95,16 @@ VORONAUT_PLUGIN(planners) {
                   abort_all();
                   return std::make_shared<Hostile>(si, loop);
                 }});
+  planners.add({"Sleeps", "sleeps when made", {}, [](const ob::SpaceInformationPtr& si) {
+                  std::this_thread::sleep_for(std::chrono::hours(1));
+                  return std::make_shared<Hostile>(si, loop);
+                }});
+  // What a suite tries it in is a square of two metres.
+  planners.add(
+      {"Faints", "aborts when made for a wide plane", {}, [](const ob::SpaceInformationPtr& si) {
+         if (si->getMaximumExtent() > 3) abort_all();
+         return std::make_shared<Hostile>(si, loop);
+       }});
+  planners.add({"Boastful", "claims a path that it has not", {}, make<Boastful>});
+  planners.add({"Homebody", "claims to be at the goal", {}, make<Homebody>});
 }

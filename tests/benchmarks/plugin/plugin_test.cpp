@@ -72,21 +72,56 @@ TEST_F(Plugin, ALibraryAddsItsPlannerToTheProgram) {
   EXPECT_THAT(said(), HasSubstr("no planner 'StraightLine'"));
 }
 
+const std::string kOpen =
+    "scenarios: [{name: open, world: {circles: [[2, 3, 0.5]]}, bounds: [[-2, -2], [5, 5]], "
+    "start: [0, 0], goal: [2, 1]}]\nvehicles: [ideal]\n"
+    "limits: {memory_mb: 200, cpu_s: 1, wall_s: 60}\n";
+const std::string kHostile = " --plugin " VORONAUT_HOSTILE_PLUGIN;
+
 TEST_F(Plugin, WhatALibraryDoesToItsProcessIsARow) {
   write("hostile.yaml",
-        "suite: hostile\nscenarios: [{name: open, world: {circles: [[2, 3, 0.5]]}, bounds: [[-2, "
-        "-2], [5, 5]], start: [0, 0], goal: [2, 1]}]\nvehicles: [ideal]\n"
-        "planners: [Throws, Aborts, Loops, Leaks, StillBorn, RRTConnect]\n"
-        "limits: {memory_mb: 200, cpu_s: 1, wall_s: 60}\n");
-  EXPECT_EQ(run(VORONAUT_PROGRAM, "run hostile.yaml --plugin " VORONAUT_HOSTILE_PLUGIN), 1);
+        "suite: hostile\nplanners: [Throws, Aborts, Loops, Leaks, Faints, Boastful, "
+        "RRTConnect]\n" +
+            kOpen);
+  EXPECT_EQ(run(VORONAUT_PROGRAM, "run hostile.yaml" + kHostile), 1);
   const auto found = ends("voronaut-results/hostile");
-  ASSERT_EQ(found.size(), 6U) << said();
+  ASSERT_EQ(found.size(), 7U) << said();
   EXPECT_EQ(found.at("open/Throws"), "crash: exception: no idea how to go on");
   EXPECT_THAT(found.at("open/Aborts"), StartsWith("crash: ended by SIGABRT"));
-  EXPECT_THAT(found.at("open/StillBorn"), StartsWith("crash: ended by SIGABRT"));
+  EXPECT_THAT(found.at("open/Faints"), StartsWith("crash: ended by SIGABRT"));
   EXPECT_EQ(found.at("open/Loops"), "killed: used more than 1 s of CPU time");
   EXPECT_EQ(found.at("open/Leaks"), "memory: asked for more than 200 MB of memory");
+  EXPECT_EQ(found.at("open/Boastful"),
+            "crash: exception: the planner says 'Exact solution' but has added no geometric path");
   EXPECT_THAT(found.at("open/RRTConnect"), StartsWith("goal_reached"));
+}
+
+TEST_F(Plugin, AClaimThatIsNotTrueIsNoSuccessInAStaticTrial) {
+  write("known.yaml", "suite: known\nkind: known\nplanners: [Boastful, Homebody]\n" + kOpen);
+  run(VORONAUT_PROGRAM, "run known.yaml" + kHostile);
+  const auto found = ends("voronaut-results/known");
+  ASSERT_EQ(found.size(), 2U) << said();
+  EXPECT_EQ(found.at("open/Boastful"),
+            "crash: exception: the planner says 'Exact solution' but has added no geometric path");
+  EXPECT_EQ(found.at("open/Homebody"),
+            "timeout: Exact solution, but its path does not end at the goal");
+}
+
+TEST_F(Plugin, APlannerThatCannotBeMadeIsAnErrorOfItsSuite) {
+  const auto refusal = [&](const std::string& planner) {
+    write("s.yaml", "suite: s\nplanners:\n  - " + planner + "\n" + kOpen);
+    EXPECT_EQ(run(VORONAUT_PROGRAM, "check s.yaml" + kHostile), 2);
+    return said();
+  };
+  EXPECT_THAT(refusal("StillBorn"),
+              StartsWith("voronaut: s.yaml:3: key 'planners[0]': planner 'StillBorn' cannot be "
+                         "made: ended by SIGABRT"));
+  EXPECT_THAT(refusal("Sleeps"), HasSubstr("planner 'Sleeps' cannot be made: took longer than"));
+  EXPECT_THAT(refusal("{name: Loops, params: {fuse: 7}}"),
+              StartsWith("voronaut: s.yaml:3: key 'planners[0].params.fuse': planner 'Loops' does "
+                         "not survive this value: ended by SIGABRT"));
+  write("s.yaml", "suite: s\nplanners: [{name: Loops, params: {fuse: 0}}]\n" + kOpen);
+  EXPECT_EQ(run(VORONAUT_PROGRAM, "check s.yaml" + kHostile), 0) << said();
 }
 
 TEST_F(Plugin, WhatIsNoPluginIsRefusedInOneLine) {
@@ -95,6 +130,8 @@ TEST_F(Plugin, WhatIsNoPluginIsRefusedInOneLine) {
   write("text.so", "no library");
   EXPECT_EQ(run(VORONAUT_PROGRAM, "run smoke --plugin text.so"), 2);
   EXPECT_THAT(said(), StartsWith("voronaut: plugin text.so: "));
+  EXPECT_EQ(run(VORONAUT_PROGRAM, "run smoke --plugin " VORONAUT_ABORTING_PLUGIN), 2);
+  EXPECT_THAT(said(), HasSubstr("libaborting_plugin.so: cannot be loaded: ended by SIGABRT\n"));
   const std::string twice = VORONAUT_EXAMPLE_PLUGIN;
   EXPECT_EQ(run(VORONAUT_PROGRAM, "list planners --plugin " + twice + " --plugin " + twice), 2);
   EXPECT_THAT(said(), HasSubstr("'StraightLine' is in the catalogue already"));

@@ -225,7 +225,16 @@ TEST(SuiteConfig, SaysInOneLineWhatIsWrong) {
        "you mean 'range'? It has: intermediate_states range"},
       {suite_with("planners", "[{name: RRTConnect, params: {range: far}}]"),
        "s.yaml:4: key 'planners[0].params.range': planner 'RRTConnect': parameter 'range' cannot "
-       "be 'far'; allowed: 0.:1.:10000."},
+       "be 'far'; allowed: numbers from 0 to 10000"},
+      {suite_with("planners", "[{name: BITstar, params: {samples_per_batch: 1e3}}]"),
+       "s.yaml:4: key 'planners[0].params.samples_per_batch': planner 'BITstar': parameter "
+       "'samples_per_batch' cannot be '1e3'; allowed: whole numbers from 1 to 1000000"},
+      {suite_with("planners", "[{name: AnytimePathShortening, params: {planners: Bogus}}]"),
+       "s.yaml:4: key 'planners[0].params.planners': planner 'AnytimePathShortening': parameter "
+       "'planners' cannot be 'Bogus'; OMPL: Unknown planner name: Bogus"},
+      {suite_with("planners", "['RRT#']"),
+       "s.yaml:4: key 'planners[0]': no planner 'RRT#': OMPL's planner of this name is 'RRTsharp' "
+       "here, as its class"},
       {suite_with("planners", "[{name: ReactiveVoronoi, params: {preset: best}}]"),
        "s.yaml:4: key 'planners[0].params.preset': planner 'ReactiveVoronoi': parameter 'preset' "
        "cannot be 'best'; allowed: as_published,repaired"},

@@ -101,7 +101,7 @@ TEST(ReactiveVoronoi, FliesAMissionAmongKnownPointsOnAStaticProblem) {
   ReactiveVoronoi planner(problem.space_information());
   // With the papers' +-45 deg the end of the wall leaves the view beside the vehicle, which then
   // turns in too early.
-  set_parameters(planner,
+  set_parameters(planner, "ReactiveVoronoi",
                  {{"preset", "repaired"}, {"sensing_field_of_view_rad", "6.283185307179586"}});
   planner.setProblemDefinition(problem.definition());
   ASSERT_EQ(planner.solve(problem.meter({}).condition()), ob::PlannerStatus::EXACT_SOLUTION);
