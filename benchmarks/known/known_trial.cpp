@@ -15,12 +15,15 @@
 #include "voronaut/planners/problem/planar_state.h"
 #include "voronaut/planners/problem/planning_budget.h"
 #include "voronaut/planners/problem/search_graph.h"
+#include "voronaut/planners/problem/solution_path.h"
 
 namespace voronaut {
 
 namespace ob = ompl::base;
 
 namespace {
+
+constexpr double kSamePlace_m = 1e-9;
 
 // One solve, everything made anew.
 struct KnownSolve {
@@ -51,20 +54,38 @@ void seed(std::uint64_t planner_seed) {
   ompl::RNG::setSeed(static_cast<std::uint_fast32_t>(planner_seed % 0x7fffffffU) + 1);
 }
 
-void judge(RunRecord& record, const KnownSolve& solved) {
-  const ob::ProblemDefinition& definition = *solved.problem.definition();
+// What is wrong with a path that claims to lead from the start to the goal, empty if nothing is.
+std::string flaw_of(const ompl::geometric::PathGeometric& path, const KnownSolve& solved,
+                    const Scenario& scenario) {
+  const ob::StateSpace& space = *solved.problem.space_information()->getStateSpace();
+  const Vec2 first = position_of(space, path.getState(0));
+  const auto last = static_cast<unsigned>(path.getStateCount() - 1);
+  if ((first - scenario.start_world).norm() > kSamePlace_m) return "its path begins elsewhere";
+  if (!solved.problem.definition()->getGoal()->isSatisfied(path.getState(last)))
+    return "its path does not end at the goal";
+  return {};
+}
+
+void judge(RunRecord& record, const KnownSolve& solved, const Scenario& scenario) {
+  const ob::PlannerStatus& status = solved.report.status;
   const auto* insight = dynamic_cast<const PlannerInsight*>(solved.planner.get());
-  record.reason = solved.report.status.asString();
-  if (solved.report.status == ob::PlannerStatus::EXACT_SOLUTION && definition.hasExactSolution())
-    record.outcome =
-        definition.getSolutionPath()->check() ? Outcome::goal_reached : Outcome::collision;
-  else if (insight != nullptr && insight->proved_no_path())
+  record.reason = status.asString();
+  if (const auto* path = path_to_goal(status, *solved.problem.definition())) {
+    const std::string flaw = flaw_of(*path, solved, scenario);
+    record.outcome = !flaw.empty()   ? Outcome::timeout
+                     : path->check() ? Outcome::goal_reached
+                                     : Outcome::collision;
+    if (!flaw.empty()) record.reason += ", but " + flaw;
+    if (flaw.empty() && status == ob::PlannerStatus::APPROXIMATE_SOLUTION)
+      record.reason += ", but its path ends at the goal";
+  } else if (insight != nullptr && insight->proved_no_path()) {
     record.outcome = Outcome::infeasible;
-  else if (solved.report.status == ob::PlannerStatus::INVALID_START ||
-           solved.report.status == ob::PlannerStatus::INVALID_GOAL)
+  } else if (status == ob::PlannerStatus::INVALID_START ||
+             status == ob::PlannerStatus::INVALID_GOAL) {
     record.outcome = Outcome::invalid;
-  else
+  } else {
     record.outcome = Outcome::timeout;
+  }
 }
 
 // The path as if a vehicle had stood at each vertex.
@@ -87,7 +108,7 @@ std::vector<Tick> vertices(const KnownSolve& solved, const World& world) {
 
 RunRecord record_of(const TrialSpec& spec, const KnownSolve& solved) {
   RunRecord record = record_before_flight(spec);
-  judge(record, solved);
+  judge(record, solved, spec.scenario);
   record.replans = 1;
   record.state_checks = static_cast<std::int64_t>(solved.checks);
   std::array<std::int64_t, kSolveEnds> ends{};

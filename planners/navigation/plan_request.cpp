@@ -1,21 +1,18 @@
 #include "voronaut/planners/navigation/plan_request.h"
 
-#include <ompl/geometric/PathGeometric.h>
-
 #include "voronaut/planners/catalog/planner_insight.h"
 #include "voronaut/planners/problem/path_conversion.h"
+#include "voronaut/planners/problem/solution_path.h"
 
 namespace voronaut {
 namespace ob = ompl::base;
+namespace og = ompl::geometric;
 
 namespace {
 
-PlanStatus status_of(const ob::PlannerStatus& solved, bool reactive) {
+// What was solved, where the answer is no path.
+PlanStatus status_without_path(const ob::PlannerStatus& solved) {
   switch (static_cast<ob::PlannerStatus::StatusType>(solved)) {
-    case ob::PlannerStatus::EXACT_SOLUTION:
-      return PlanStatus::to_goal;
-    case ob::PlannerStatus::APPROXIMATE_SOLUTION:
-      return reactive ? PlanStatus::partial : PlanStatus::none;
     case ob::PlannerStatus::INVALID_START:
     case ob::PlannerStatus::INVALID_GOAL:
     case ob::PlannerStatus::UNRECOGNIZED_GOAL_TYPE:
@@ -37,19 +34,22 @@ Plan ask_for_plan(ob::Planner& planner, const PlannerTraits& traits, PlanningPro
   const auto [solved, end] = solve_within(planner, problem.meter(budget));
   const auto* insight = dynamic_cast<const PlannerInsight*>(&planner);
 
+  const bool next_leg =
+      traits.plans_on_every_scan && solved == ob::PlannerStatus::APPROXIMATE_SOLUTION;
+  const og::PathGeometric* found = next_leg ? &solution_path(solved, *problem.definition())
+                                            : path_to_goal(solved, *problem.definition());
+
   Plan plan;
   plan.end = end;
-  plan.status = status_of(solved, traits.plans_on_every_scan);
+  plan.status = status_without_path(solved);
   if (plan.status == PlanStatus::refused) plan.refusal = solved.asString();
   if (insight != nullptr) {
     plan.mode = insight->mode();
     if (!solved && insight->proved_no_path()) plan.status = PlanStatus::infeasible;
   }
-  if (plan.status == PlanStatus::to_goal || plan.status == PlanStatus::partial) {
-    plan.path =
-        to_path(*problem.definition()->getSolutionPath()->as<ompl::geometric::PathGeometric>(),
-                *problem.space_information()->getStateSpace());
-    if (plan.path.empty()) plan.status = PlanStatus::none;
+  if (found != nullptr) {
+    plan.path = to_path(*found, *problem.space_information()->getStateSpace());
+    if (!plan.path.empty()) plan.status = next_leg ? PlanStatus::partial : PlanStatus::to_goal;
   }
   return plan;
 }

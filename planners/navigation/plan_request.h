@@ -29,7 +29,8 @@ struct Plan {
 
 // Solves `problem` (which already looks at the current belief) within `budget`. Planners that plan
 // anew are cleared before, reactive ones keep their memory. An approximate solution counts for
-// reactive planners only: a global planner that did not reach the goal has no path.
+// reactive planners only: a global planner that did not reach the goal has no path. Throws
+// std::runtime_error if the planner claims a path that it has not added.
 Plan ask_for_plan(ompl::base::Planner& planner, const PlannerTraits& traits,
                   PlanningProblem& problem, const PlanningBudget& budget);
 
