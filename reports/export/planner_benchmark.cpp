@@ -54,9 +54,16 @@ std::string column_name(std::string_view name) {
   return std::string(name);
 }
 
-std::vector<BenchmarkColumn> run_columns() {
-  std::vector<BenchmarkColumn> columns = {
-      {"time", "REAL"}, {"memory", "REAL"}, {"solved", "BOOLEAN"}};
+const std::vector<BenchmarkColumn> kAlways = {
+    {"time", "REAL"}, {"memory", "REAL"}, {"solved", "BOOLEAN"}};
+const std::vector<BenchmarkColumn> kOfStaticPlans = {{"approximate_solution", "BOOLEAN"},
+                                                     {"correct_solution", "BOOLEAN"},
+                                                     {"solution_length", "REAL"},
+                                                     {"solution_clearance", "REAL"}};
+
+std::vector<BenchmarkColumn> run_columns(bool known) {
+  std::vector<BenchmarkColumn> columns = kAlways;
+  if (known) columns.insert(columns.end(), kOfStaticPlans.begin(), kOfStaticPlans.end());
   RunRecord().visit([&](const char* name, const auto& value, ColumnKind) {
     if (!is_left_out(name))
       columns.push_back({column_name(name), type_of<std::remove_cvref_t<decltype(value)>>()});
@@ -64,9 +71,23 @@ std::vector<BenchmarkColumn> run_columns() {
   return columns;
 }
 
-BenchmarkRow run_row(const RunRecord& record) {
-  BenchmarkRow row = {finite_text(record.duration_s), finite_text(record.memory_max_mb),
-                      record.outcome == Outcome::goal_reached ? "1" : "0"};
+const char* flag(bool value) { return value ? "1" : "0"; }
+
+// Values of kOfStaticPlans.
+BenchmarkRow plan_found(const RunRecord& record) {
+  if (!std::isfinite(record.path_length_m)) return BenchmarkRow(kOfStaticPlans.size());
+  const bool collides = record.outcome == Outcome::collision;
+  const bool leads_elsewhere = !collides && record.outcome != Outcome::goal_reached;
+  return {flag(leads_elsewhere), flag(!collides), finite_text(record.path_length_m),
+          finite_text(record.clearance_mean_m)};
+}
+
+BenchmarkRow run_row(const RunRecord& record, bool known) {
+  const double time_s = known ? record.planning_time_us_mean * 1e-6 : record.duration_s;
+  BenchmarkRow row = {finite_text(time_s), finite_text(record.memory_max_mb),
+                      flag(record.outcome == Outcome::goal_reached)};
+  if (known)
+    for (std::string& value : plan_found(record)) row.push_back(std::move(value));
   record.visit([&](const char* name, const auto& value, ColumnKind) {
     if (!is_left_out(name)) row.push_back(text_of(value));
   });
@@ -118,23 +139,20 @@ const std::vector<BenchmarkColumn> kPlanProgress = {
 void add_stored_runs(const ResultStore& store, PlannerBenchmark& benchmark) {
   benchmark.enum_name = "status";
   for (const Outcome outcome : kOutcomes) benchmark.enum_words.emplace_back(to_string(outcome));
-  benchmark.run_columns = run_columns();
-  benchmark.progress_columns = kFlightProgress;
+  benchmark.run_columns = run_columns(benchmark.known);
+  benchmark.progress_columns = benchmark.known ? kPlanProgress : kFlightProgress;
   std::map<std::string, TracePoint> goals;
   for (const TraceWorld& world : store.worlds()) goals[world.world_id] = world.goal;
   std::map<std::string, BenchmarkedPlanner> planners;
   for (const RunRecord& record : store.records()) {
     BenchmarkedPlanner& planner = planners[record.planner];
     planner.name = record.planner;
-    planner.runs.push_back(run_row(record));
+    planner.runs.push_back(run_row(record, benchmark.known));
     const auto trace = store.trace(record.trial_id);
     auto& samples = planner.progress.emplace_back();
-    if (trace && trace->known) {  // one suite is of one kind
-      benchmark.progress_columns = kPlanProgress;
-      samples = improvements_of(*trace);
-    } else if (trace) {
-      samples = progress_of(*trace, goals[record.world_id]);
-    }
+    if (trace)
+      samples =
+          benchmark.known ? improvements_of(*trace) : progress_of(*trace, goals[record.world_id]);
     if (std::isfinite(record.cpu_time_s)) benchmark.total_time_s += record.cpu_time_s;
   }
   for (auto& [name, planner] : planners) {

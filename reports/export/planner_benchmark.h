@@ -26,6 +26,7 @@ struct BenchmarkedPlanner {
 };
 
 struct PlannerBenchmark {
+  bool known = false;   // a suite of static planning (`kind: known`)
   std::string name;     // without blanks: the tools keep the last word only
   std::string version;  // without blanks
   std::string host;
@@ -44,12 +45,16 @@ struct PlannerBenchmark {
   std::vector<BenchmarkedPlanner> planners;
 };
 
-// Fills columns and planners from what is stored; the rest is the caller's. One planner for each
-// label, in the order of the alphabet, its runs in the order of trial ids. Columns are those of
-// RunRecord that are numbers or names, with what OMPL's tools ask for:
-//   time     the flight's simulated duration, s        status   the outcome
+// Fills columns and planners from what is stored; the rest is the caller's, `known` before. One
+// planner for each label, in the order of the alphabet, its runs in the order of trial ids. Columns
+// are those of RunRecord that are numbers or names, with what OMPL's tools ask for:
+//   time     the flight's simulated duration, or the wall time of a static solve, s
 //   solved   whether the goal was reached              memory   MB
-//   trial_seed   seed (the tables' own `seed` is the suite's)
+//   trial_seed   seed (the tables' own `seed` is the suite's)        status   the outcome
+// and of static planning, empty without a path, as OMPL's Benchmark calls it:
+//   approximate_solution   the path leads elsewhere     correct_solution   the check accepts it
+//   solution_length        m                            solution_clearance   mean at its vertices,
+//   m
 // Progress is taken from stored traces; a trial without one has none. Of a flight every 0.5 s of
 // simulated time: distance to goal, length flown. Of a static plan whenever an anytime planner had
 // a better path: its cost (best_cost, m), the state checks made by then, and wall time.

@@ -113,6 +113,35 @@ TEST_F(KnownSuite, ExportsTheCostOverWorkOfAnytimePlanners) {
   EXPECT_EQ(others.real(0), 0);  // it tells no cost
 }
 
+// Planner Arena's plots are of `time`, the boxes of a path are empty without one.
+TEST_F(KnownSuite, ExportsEachSolveAsOmplsBenchmarkDoes) {
+  const sqlite::Database arena(folder_.path() / "arena.db", sqlite::OpenMode::existing);
+  sqlite::Statement rows(arena,
+                         "SELECT solved, time, planning_time_us_mean, solution_length, "
+                         "path_length_m, approximate_solution, correct_solution, "
+                         "solution_clearance, clearance_mean_m, typeof(solution_length), "
+                         "typeof(approximate_solution) FROM runs");
+  int found = 0;
+  int without_path = 0;
+  while (rows.step()) {
+    EXPECT_GT(rows.real(1), 0);
+    EXPECT_NEAR(rows.real(1), rows.real(2) * 1e-6, 1e-12);
+    if (rows.text(9) == "null") {
+      EXPECT_EQ(rows.integer(0), 0);
+      EXPECT_EQ(rows.text(10), "null");
+      ++without_path;
+      continue;
+    }
+    EXPECT_EQ(rows.real(3), rows.real(4));
+    EXPECT_EQ(rows.real(7), rows.real(8));
+    EXPECT_EQ(rows.integer(5), 1 - rows.integer(0)) << "approximate unless solved";
+    EXPECT_EQ(rows.integer(6), 1);
+    if (rows.integer(0) == 1) ++found;
+  }
+  EXPECT_EQ(found, 3);  // among the pillar
+  EXPECT_GT(without_path, 0);
+}
+
 TEST_F(KnownSuite, KeepsATraceThatWalksAlongThePath) {
   const OutputFolder folder = OutputFolder::open(folder_.path() / "r");
   for (const RunRecord& record : folder.store().records()) {

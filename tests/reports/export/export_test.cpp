@@ -46,8 +46,9 @@ class Export : public ::testing::Test {
 
   ResultStore store() const { return ResultStore::open(folder_ / "results.db"); }
 
-  PlannerBenchmark benchmark() const {
+  PlannerBenchmark benchmark(bool known = false) const {
     PlannerBenchmark benchmark;
+    benchmark.known = known;
     benchmark.name = "synthetic";
     benchmark.version = "0.1.0+abc";
     benchmark.host = "somewhere";
@@ -64,6 +65,9 @@ class Export : public ::testing::Test {
 
   fs::path folder_;
   std::size_t traced_ = 0;
+
+  // Holds our database against what OMPL's script makes of our log.
+  void expect_as_by_script(const PlannerBenchmark& exported) const;
 };
 
 // Every row of a table or view as text, each value with its storage class.
@@ -82,10 +86,7 @@ std::vector<std::string> rows_of(const fs::path& file, const std::string& table)
   return rows;
 }
 
-TEST_F(Export, PlannerArenaIsWhatOmplsOwnScriptMakesOfTheLog) {
-  if (std::system("ompl_benchmark_statistics --help >/dev/null 2>&1") != 0)
-    GTEST_SKIP() << "no ompl_benchmark_statistics (package ompl-demos)";
-  const PlannerBenchmark exported = benchmark();
+void Export::expect_as_by_script(const PlannerBenchmark& exported) const {
   std::ofstream(folder_ / "run.log") << ompl_log(exported);
   write_planner_arena(exported, folder_ / "ours.db");
   const std::string command = "cd '" + folder_.string() +
@@ -97,6 +98,18 @@ TEST_F(Export, PlannerArenaIsWhatOmplsOwnScriptMakesOfTheLog) {
     EXPECT_EQ(rows_of(folder_ / "ours.db", table), theirs) << table;
     EXPECT_GT(theirs.size(), 1U) << table;
   }
+}
+
+TEST_F(Export, PlannerArenaIsWhatOmplsOwnScriptMakesOfTheLog) {
+  if (std::system("ompl_benchmark_statistics --help >/dev/null 2>&1") != 0)
+    GTEST_SKIP() << "no ompl_benchmark_statistics (package ompl-demos)";
+  expect_as_by_script(benchmark());
+}
+
+TEST_F(Export, PlannerArenaIsWhatTheScriptMakesOfStaticPlanningToo) {
+  if (std::system("ompl_benchmark_statistics --help >/dev/null 2>&1") != 0)
+    GTEST_SKIP() << "no ompl_benchmark_statistics (package ompl-demos)";
+  expect_as_by_script(benchmark(true));
 }
 
 TEST_F(Export, KeepsTheColumnsThatPlannerArenaReadsByPosition) {
