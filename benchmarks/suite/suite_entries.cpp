@@ -97,15 +97,15 @@ std::string try_planner(const PlannerEntry& entry,
   };
   const ChildReport report = run_in_child(work, kTryLimits);
   if (report.end == ChildReport::End::finished) return report.output;
-  const std::string what = params.empty() ? "cannot be made" : "does not survive this value";
-  return "planner '" + entry.name + "' " + what + ": " + end_in_words(report, kTryLimits);
+  return "planner '" + entry.name +
+         "' does not survive this value: " + end_in_words(report, kTryLimits);
 }
 
-// Throws at the value that the planner does not take, at the entry if it cannot even be made.
-void require_makeable(const ConfigNode& entry, const PlannerEntry& planner,
-                      const PlannerSpec& spec) {
-  if (const std::string why = try_planner(planner, {}); !why.empty()) throw entry.error(why);
-  if (spec.params.empty()) return;
+// Throws at the value that the planner does not take. A planner that cannot even be made becomes
+// the outcome of its own trials, not the end of the run.
+void require_parameters(const ConfigNode& entry, const PlannerEntry& planner,
+                        const PlannerSpec& spec) {
+  if (spec.params.empty() || !try_planner(planner, {}).empty()) return;
   const ConfigNode params = entry.child("params");
   for (const std::string& key : params.keys())
     if (const std::string why = try_planner(planner, {{key, spec.params.at(key)}}); !why.empty())
@@ -155,7 +155,7 @@ PlannerSpec read_planner(const ConfigNode& entry, const PlannerCatalog& planners
   if (const auto params = entry.is_map() ? entry.find("params") : std::nullopt)
     for (const std::string& key : params->keys())
       spec.params[key] = parameter_text(params->child(key));
-  require_makeable(entry, *planners.find(spec.name), spec);
+  require_parameters(entry, *planners.find(spec.name), spec);
   return spec;
 }
 

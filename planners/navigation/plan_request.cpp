@@ -1,7 +1,12 @@
 #include "voronaut/planners/navigation/plan_request.h"
 
+#include <utility>
+
+#include <ompl/base/goals/GoalState.h>
+
 #include "voronaut/planners/catalog/planner_insight.h"
 #include "voronaut/planners/problem/path_conversion.h"
+#include "voronaut/planners/problem/planar_state.h"
 #include "voronaut/planners/problem/solution_path.h"
 
 namespace voronaut {
@@ -20,6 +25,15 @@ PlanStatus status_without_path(const ob::PlannerStatus& solved) {
     default:
       return PlanStatus::none;
   }
+}
+
+// A path may end anywhere within the goal's tolerance, and who stops at its edge has not arrived.
+Path led_on_to_goal(Path path, const PlanningProblem& problem) {
+  const auto* goal = problem.definition()->getGoal()->as<ob::GoalState>();
+  const Vec2 place = position_of(*problem.space_information()->getStateSpace(), goal->getState());
+  if (path.back() != place && problem.geometry().motion_is_clear(path.back(), place))
+    path.append({.start = path.back(), .end = place});
+  return path;
 }
 
 }  // namespace
@@ -51,6 +65,8 @@ Plan ask_for_plan(ob::Planner& planner, const PlannerTraits& traits, PlanningPro
     plan.path = to_path(*found, *problem.space_information()->getStateSpace());
     if (!plan.path.empty()) plan.status = next_leg ? PlanStatus::partial : PlanStatus::to_goal;
   }
+  if (plan.status == PlanStatus::to_goal && !traits.plans_on_every_scan)
+    plan.path = led_on_to_goal(std::move(plan.path), problem);
   return plan;
 }
 

@@ -12,7 +12,7 @@
 namespace voronaut {
 
 enum class PlanStatus {
-  to_goal,     // the path ends at the goal
+  to_goal,     // the path ends at the goal, or within its tolerance if there is no clear way on
   partial,     // a reactive planner's next leg: ends short of the goal on purpose
   none,        // no path within the budget
   infeasible,  // proved: no path exists on what is known

@@ -1,7 +1,5 @@
-#include <chrono>
 #include <cstdlib>
 #include <stdexcept>
-#include <thread>
 #include <vector>
 
 #include <ompl/base/Planner.h>
@@ -95,16 +93,6 @@ VORONAUT_PLUGIN(planners) {
                   abort_all();
                   return std::make_shared<Hostile>(si, loop);
                 }});
-  planners.add({"Sleeps", "sleeps when made", {}, [](const ob::SpaceInformationPtr& si) {
-                  std::this_thread::sleep_for(std::chrono::hours(1));
-                  return std::make_shared<Hostile>(si, loop);
-                }});
-  // What a suite tries it in is a square of two metres.
-  planners.add(
-      {"Faints", "aborts when made for a wide plane", {}, [](const ob::SpaceInformationPtr& si) {
-         if (si->getMaximumExtent() > 3) abort_all();
-         return std::make_shared<Hostile>(si, loop);
-       }});
   planners.add({"Boastful", "claims a path that it has not", {}, make<Boastful>});
   planners.add({"Homebody", "claims to be at the goal", {}, make<Homebody>});
 }

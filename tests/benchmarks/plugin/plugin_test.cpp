@@ -80,7 +80,7 @@ const std::string kHostile = " --plugin " VORONAUT_HOSTILE_PLUGIN;
 
 TEST_F(Plugin, WhatALibraryDoesToItsProcessIsARow) {
   write("hostile.yaml",
-        "suite: hostile\nplanners: [Throws, Aborts, Loops, Leaks, Faints, Boastful, "
+        "suite: hostile\nplanners: [Throws, Aborts, Loops, Leaks, StillBorn, Boastful, "
         "RRTConnect]\n" +
             kOpen);
   EXPECT_EQ(run(VORONAUT_PROGRAM, "run hostile.yaml" + kHostile), 1);
@@ -88,7 +88,7 @@ TEST_F(Plugin, WhatALibraryDoesToItsProcessIsARow) {
   ASSERT_EQ(found.size(), 7U) << said();
   EXPECT_EQ(found.at("open/Throws"), "crash: exception: no idea how to go on");
   EXPECT_THAT(found.at("open/Aborts"), StartsWith("crash: ended by SIGABRT"));
-  EXPECT_THAT(found.at("open/Faints"), StartsWith("crash: ended by SIGABRT"));
+  EXPECT_THAT(found.at("open/StillBorn"), StartsWith("crash: ended by SIGABRT"));
   EXPECT_EQ(found.at("open/Loops"), "killed: used more than 1 s of CPU time");
   EXPECT_EQ(found.at("open/Leaks"), "memory: asked for more than 200 MB of memory");
   EXPECT_EQ(found.at("open/Boastful"),
@@ -107,16 +107,12 @@ TEST_F(Plugin, AClaimThatIsNotTrueIsNoSuccessInAStaticTrial) {
             "timeout: Exact solution, but its path does not end at the goal");
 }
 
-TEST_F(Plugin, APlannerThatCannotBeMadeIsAnErrorOfItsSuite) {
+TEST_F(Plugin, AParameterThatAPlannerDoesNotSurviveIsAnErrorOfItsSuite) {
   const auto refusal = [&](const std::string& planner) {
     write("s.yaml", "suite: s\nplanners:\n  - " + planner + "\n" + kOpen);
     EXPECT_EQ(run(VORONAUT_PROGRAM, "check s.yaml" + kHostile), 2);
     return said();
   };
-  EXPECT_THAT(refusal("StillBorn"),
-              StartsWith("voronaut: s.yaml:3: key 'planners[0]': planner 'StillBorn' cannot be "
-                         "made: ended by SIGABRT"));
-  EXPECT_THAT(refusal("Sleeps"), HasSubstr("planner 'Sleeps' cannot be made: took longer than"));
   EXPECT_THAT(refusal("{name: Loops, params: {fuse: 7}}"),
               StartsWith("voronaut: s.yaml:3: key 'planners[0].params.fuse': planner 'Loops' does "
                          "not survive this value: ended by SIGABRT"));

@@ -56,6 +56,15 @@ TEST(AITstar, ImprovesItsPathThroughAnEmptySquareWithoutAborting) {
     EXPECT_EQ(ait.plan(ObstacleSnapshot{}, 3000).status, PlanStatus::to_goal);
 }
 
+// Its shortest path ends where the goal's tolerance begins, and whoever stops there has not
+// arrived.
+TEST(AITstar, IsLedOnToTheGoalItself) {
+  Asked ait("AITstar", {8.765432, 6.54321});
+  const Plan plan = ait.plan(ObstacleSnapshot{}, 1000);
+  ASSERT_EQ(plan.status, PlanStatus::to_goal);
+  EXPECT_EQ(plan.path.back(), Vec2(8.765432, 6.54321));
+}
+
 TEST(LazyLBTRRT, FindsBlockedMotionsAtItsStartWithoutAborting) {
   std::vector<Vec2> points = wall(3);
   for (const Vec2& beside : {Vec2(1.6, 5), Vec2(1, 5.6), Vec2(1, 4.4)}) points.push_back(beside);
