@@ -106,12 +106,13 @@ std::string try_planner(const PlannerEntry& entry,
 void require_parameters(const ConfigNode& entry, const PlannerEntry& planner,
                         const PlannerSpec& spec) {
   if (spec.params.empty() || !try_planner(planner, {}).empty()) return;
+  const std::string why = try_planner(planner, spec.params);
+  if (why.empty()) return;
   const ConfigNode params = entry.child("params");
   for (const std::string& key : params.keys())
-    if (const std::string why = try_planner(planner, {{key, spec.params.at(key)}}); !why.empty())
-      throw params.child(key).error(why);
-  if (const std::string why = try_planner(planner, spec.params); !why.empty())
-    throw params.error(why);
+    if (const std::string its = try_planner(planner, {{key, spec.params.at(key)}}); !its.empty())
+      throw params.child(key).error(its);
+  throw params.error(why);
 }
 
 }  // namespace

@@ -17,8 +17,10 @@ namespace ob = ompl::base;
 
 namespace {
 
-// A preset sets all others; the range of OMPL's LazyPRM takes max_nearest_neighbors back.
-constexpr std::array kFirst{"preset", "range"};
+constexpr const char* kRange = "range";
+constexpr const char* kNeighbors = "max_nearest_neighbors";
+// A preset sets all others; the range of OMPL's LazyPRM takes the number of neighbours back.
+constexpr std::array kFirst{"preset", kRange};
 
 // Levenshtein's edit distance, one row at a time.
 std::size_t edit_distance(const std::string& a, const std::string& b) {
@@ -109,6 +111,16 @@ void set_one(ob::Planner& planner, const std::string& name, const std::string& v
     throw std::invalid_argument(": parameter '" + name + "' cannot be '" + value + "'" + refusal);
 }
 
+// LazyPRM looks for neighbours within its range as it is when their number is set, and that is 0
+// unless somebody says otherwise: it would connect nothing.
+void require_range_for_neighbors(const ob::Planner& planner,
+                                 const std::map<std::string, std::string>& values) {
+  if (values.count(kNeighbors) == 0 || !planner.params().hasParam(kRange)) return;
+  if (planner.params().getParam(kRange)->getValue() == "0")
+    throw std::invalid_argument(std::string(": parameter '") + kNeighbors + "' wants a '" + kRange +
+                                "' above 0 beside it");
+}
+
 }  // namespace
 
 void set_parameters(ob::Planner& planner, const std::string& catalogue_name,
@@ -122,6 +134,7 @@ void set_parameters(ob::Planner& planner, const std::string& catalogue_name,
     for (const auto& [name, value] : values)
       if (std::find(kFirst.begin(), kFirst.end(), name) == kFirst.end())
         set_one(planner, name, value);
+    require_range_for_neighbors(planner, values);
   } catch (const std::invalid_argument& error) {
     throw std::invalid_argument("planner '" + catalogue_name + "'" + error.what());
   }

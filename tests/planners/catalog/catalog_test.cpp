@@ -251,6 +251,9 @@ TEST(SetParameters, GivesTheRangeBeforeWhatItWouldTakeBack) {
     return static_cast<double>(data.numEdges()) / data.numVertices();
   };
   EXPECT_LT(edges_per_vertex("1"), edges_per_vertex("20"));
+  EXPECT_THAT(refusal_of("LazyPRM", "max_nearest_neighbors", "5"),
+              HasSubstr("'max_nearest_neighbors' wants a 'range' above 0 beside it"))
+      << "it would connect nothing";
 }
 
 TEST(SetParameters, CallsThePlannerAsTheCatalogueDoes) {
