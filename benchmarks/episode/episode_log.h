@@ -33,7 +33,7 @@ struct ScanEvent {
   int search = -1;       // index into EpisodeLog::searches: the latest
   ReplanReason replan = ReplanReason::none;
   SolveEnd solve_end = SolveEnd::planner;  // of the solve that `replan` asked for
-  std::size_t known_points = 0;  // of the map, without virtual obstacles
+  std::size_t known_points = 0;            // of the map, without virtual obstacles
   ExecutiveState executive = ExecutiveState::rising;
   double governed_share = 1;          // of the speed asked for
   std::vector<Eigen::Vector2d> tube;  // the governor's proved track, corners; empty: none
