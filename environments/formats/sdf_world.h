@@ -7,11 +7,13 @@
 
 namespace voronaut {
 
-// A Gazebo world (SDF, http://sdformat.org/spec), as BARN has them: of each <model> of the <world>
-// with a collision of upright <cylinder> or <box> that shape at the model's pose. Planes, lights,
-// plug-ins, visuals, the recorded <state> and models that are only included are not read; heights
-// are not compared. A link or collision with a pose of its own, or a model that is tilted, is an
-// error. Throws ConfigError with the line.
+// A Gazebo world (SDF, http://sdformat.org/spec), as BARN has them: every collision of every link
+// of every <model> of the <world>, an upright <cylinder>, a <box> or a <sphere> (its disc at the
+// equator) at the composed poses of model, link and collision; heights are not compared. Level
+// planes, lights, actors, plug-ins, visuals, the recorded <state> and the included models sun and
+// ground_plane are no obstacles. Whatever else could be one is an error: other shapes, other
+// included models, populations, nested models, what is tilted or stands relative to a frame that
+// is not its own parent. Throws ConfigError with the line.
 ForeignWorld parse_sdf_world(std::string_view text, const std::string& file);
 
 }  // namespace voronaut
