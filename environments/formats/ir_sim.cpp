@@ -6,12 +6,27 @@
 
 #include "voronaut/environments/config/nearest_name.h"
 #include "voronaut/environments/formats/csv_table.h"
+#include "voronaut/environments/formats/yaml_flag.h"
 #include "voronaut/environments/generators/placement.h"
 
 namespace voronaut {
 namespace {
 
 constexpr double kFar = kFarthestCoordinate;
+constexpr double kDefaultSide_m = 10;  // of IR-SIM's world
+
+// The keys that IR-SIM documents (docs/source/yaml_config). Most are about motion and plots and are
+// not read; any other may be a slip that changes the world.
+const std::vector<std::string> kWorldKeys = {
+    "name",         "height",         "width",  "step_time",    "sample_time", "offset",
+    "control_mode", "collision_mode", "status", "obstacle_map", "mdownsample", "plot"};
+const std::vector<std::string> kObjectKeys = {
+    "number",      "distribution",   "shape",      "state",          "unobstructed",
+    "goal",        "name",           "kinematics", "velocity",       "state_dim",
+    "vel_dim",     "group",          "vel_min",    "vel_max",        "acce",
+    "angle_range", "goal_threshold", "behavior",   "group_behavior", "role",
+    "static",      "sensors",        "fov",        "fov_radius",     "arrive_mode",
+    "color",       "plot",           "description"};
 
 struct Placed {
   Vec2 p = Vec2::Zero();
@@ -45,13 +60,33 @@ Vec2 read_xy(const ConfigNode& node) {
 }
 
 std::vector<Vec2> read_vertices(const ConfigNode& shape, const Placed& at, std::size_t at_least) {
-  const auto node = shape.find("vertices");
-  if (!node) throw shape.error("without vertices: a random shape has no world to read");
+  const ConfigNode node = shape.child("vertices");
   std::vector<Vec2> vertices;
-  for (const ConfigNode& item : node->items()) vertices.push_back(at.world(read_xy(item)));
+  for (const ConfigNode& item : node.items()) vertices.push_back(at.world(read_xy(item)));
   if (vertices.size() < at_least)
-    throw node->error("expected at least " + std::to_string(at_least) + " vertices");
+    throw node.error("expected at least " + std::to_string(at_least) + " vertices");
   return vertices;
+}
+
+Polygon read_polygon(const ConfigNode& shape, const Placed& at) {
+  Shapes alone;
+  alone.polygons.push_back({read_vertices(shape, at, 3)});
+  auto& vertices = alone.polygons.front().vertices;
+  if (vertices.front() == vertices.back()) vertices.pop_back();
+  try {
+    return validated(std::move(alone)).polygons.front();
+  } catch (const std::invalid_argument& error) {
+    throw shape.error(error.what());
+  }
+}
+
+// Refuses what is drawn at random, and keys that would change the shape and are not read: a
+// wheelbase moves it.
+void check_shape(const ConfigNode& shape) {
+  if (const auto random = shape.find("random_shape"); random && read_yaml_flag(*random))
+    throw random->error("a shape drawn at random is not read");
+  shape.allow_only(
+      {"name", "radius", "center", "length", "width", "vertices", "random_shape", "is_convex"});
 }
 
 void add_shape(const ConfigNode& shape, const Placed& at, Shapes& shapes) {
@@ -66,13 +101,7 @@ void add_shape(const ConfigNode& shape, const Placed& at, Shapes& shapes) {
     const double width_m = shape.child("width").number(kSmallestRadius, kLargestRadius);
     shapes.polygons.push_back(box(at.p, length_m, width_m, at.heading));
   } else if (kind == "polygon") {
-    Shapes alone;
-    alone.polygons.push_back({read_vertices(shape, at, 3)});
-    try {
-      shapes.polygons.push_back(validated(std::move(alone)).polygons.front());
-    } catch (const std::invalid_argument& error) {
-      throw shape.error(error.what());
-    }
+    shapes.polygons.push_back(read_polygon(shape, at));
   } else {
     const auto corners = read_vertices(shape, at, 2);
     for (std::size_t i = 1; i < corners.size(); ++i) {
@@ -82,12 +111,25 @@ void add_shape(const ConfigNode& shape, const Placed& at, Shapes& shapes) {
   }
 }
 
+// `unobstructed` of one obstacle of the entry: nothing collides with it, and IR-SIM's lidar sees
+// through it.
+bool is_unobstructed(const ConfigNode& entry, std::size_t index) {
+  const auto node = entry.find("unobstructed");
+  if (!node) return false;
+  const auto flags = one_or_more(*node);
+  return !flags.empty() && read_yaml_flag(flags[std::min(index, flags.size() - 1)]);
+}
+
 void add_obstacles(const ConfigNode& entry, Shapes& shapes) {
+  entry.allow_only(kObjectKeys);
   if (const auto distribution = entry.find("distribution");
       distribution && distribution->child("name").text() != "manual")
-    throw distribution->error("obstacles placed at random are no world to read");
+    throw distribution->error(
+        "obstacles that IR-SIM places itself, at random or in a circle, are not read: give manual "
+        "and their states");
   const auto kinds = one_or_more(entry.child("shape"));
   if (kinds.empty()) throw entry.child("shape").error("expected a shape");
+  for (const ConfigNode& kind : kinds) check_shape(kind);
   const auto number = entry.find("number");
   const auto count = number ? static_cast<std::size_t>(number->whole_number(1, 10'000)) : 1;
   std::vector<Placed> places;
@@ -102,7 +144,8 @@ void add_obstacles(const ConfigNode& entry, Shapes& shapes) {
   if (places.size() < count)
     throw entry.error("expected a state for each of " + std::to_string(count) + " obstacles");
   for (std::size_t i = 0; i < count; ++i)
-    add_shape(kinds[std::min(i, kinds.size() - 1)], places[i], shapes);
+    if (!is_unobstructed(entry, i))
+      add_shape(kinds[std::min(i, kinds.size() - 1)], places[i], shapes);
 }
 
 std::optional<Vec2> first_place(const ConfigNode& robot, const char* key) {
@@ -111,16 +154,25 @@ std::optional<Vec2> first_place(const ConfigNode& robot, const char* key) {
   return read_state(is_list_of_lists(*node) ? node->items().front() : *node).p;
 }
 
+Bounds read_world(const std::optional<ConfigNode>& world) {
+  if (!world) return {{0, 0}, {kDefaultSide_m, kDefaultSide_m}};
+  world->allow_only(kWorldKeys);
+  if (const auto map = world->find("obstacle_map")) throw map->error("an obstacle map is not read");
+  const auto side_m = [&](const char* key) {
+    const auto side = world->find(key);
+    return side ? side->number(kSmallestRadius, kFar) : kDefaultSide_m;
+  };
+  const auto offset = world->find("offset");
+  const Vec2 lower_left = offset ? read_xy(*offset) : Vec2(0, 0);
+  return {lower_left, lower_left + Vec2(side_m("width"), side_m("height"))};
+}
+
 }  // namespace
 
 ForeignWorld read_ir_sim(const ConfigNode& root) {
+  root.allow_only({"world", "robot", "obstacle", "gui"});
   ForeignWorld read;
-  const ConfigNode world = root.child("world");
-  const double width_m = world.child("width").number(kSmallestRadius, kFar);
-  const double height_m = world.child("height").number(kSmallestRadius, kFar);
-  const auto offset = world.find("offset");
-  const Vec2 lower_left = offset ? read_xy(*offset) : Vec2(0, 0);
-  read.bounds = Bounds{lower_left, lower_left + Vec2(width_m, height_m)};
+  read.bounds = read_world(root.find("world"));
   if (const auto obstacles = root.find("obstacle"))
     for (const ConfigNode& entry : one_or_more(*obstacles)) add_obstacles(entry, read.shapes);
   const auto robots = root.find("robot");
