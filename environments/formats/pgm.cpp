@@ -1,5 +1,7 @@
 #include "voronaut/environments/formats/pgm.h"
 
+#include <algorithm>
+
 #include "voronaut/environments/config/config_node.h"
 #include "voronaut/environments/config/nearest_name.h"
 #include "voronaut/environments/formats/blocked_cells.h"
@@ -33,10 +35,22 @@ class PgmText {
     return static_cast<int>(*value);
   }
 
-  // What follows the single blank after the header.
-  std::string_view raw_data() {
-    if (at_ < bytes_.size()) ++at_;
-    return bytes_.substr(at_);
+  // What follows the single blank after the header, so many bytes; map_saver writes the end of a
+  // line behind them. Were the header's blank two, "\r\n", all pixels would be moved by one.
+  std::string_view raw_data(std::size_t size) {
+    const bool moved = bytes_.substr(at_).starts_with("\r\n");
+    const std::string_view data = bytes_.substr(std::min(at_ + 1, bytes_.size()));
+    const std::string_view rest = data.substr(std::min(size, data.size()));
+    if (data.size() < size || (!rest.empty() && (moved || (rest != "\n" && rest != "\r\n"))))
+      throw error("expected " + std::to_string(size) + " bytes of pixels, got " +
+                  std::to_string(data.size()) +
+                  (moved ? " (the header ends in \\r\\n; one blank must end it)" : ""));
+    return data.substr(0, size);
+  }
+
+  void expect_end() {
+    skip_blanks_and_comments();
+    if (at_ < bytes_.size()) throw error("more pixels than width and height say");
   }
 
   ConfigError error(const std::string& problem) const { return {file_, line_, "", problem}; }
@@ -63,11 +77,8 @@ class PgmText {
 };
 
 void read_raw(PgmText& text, GreyImage& image, std::size_t pixels) {
-  const std::string_view data = text.raw_data();
   const std::size_t bytes_each = image.white > 255 ? 2 : 1;
-  if (data.size() < pixels * bytes_each)
-    throw text.error("expected " + std::to_string(pixels * bytes_each) + " bytes of pixels, got " +
-                     std::to_string(data.size()));
+  const std::string_view data = text.raw_data(pixels * bytes_each);
   image.values.reserve(pixels);
   for (std::size_t i = 0; i < pixels * bytes_each; i += bytes_each) {
     int value = static_cast<unsigned char>(data[i]);
@@ -99,6 +110,7 @@ GreyImage parse_pgm(std::string_view bytes, const std::string& file) {
   } else {
     for (std::size_t i = 0; i < pixels; ++i)
       image.values.push_back(static_cast<std::uint16_t>(text.whole("pixels", 0, image.white)));
+    text.expect_end();
   }
   return image;
 }

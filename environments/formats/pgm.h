@@ -21,7 +21,8 @@ struct GreyImage {
 };
 
 // A PGM image, plain (P2) or raw (P5), with comments; https://netpbm.sourceforge.net/doc/pgm.html.
-// Throws ConfigError; in raw data there are no lines to name.
+// Throws ConfigError, also where more
+// than the end of a line is left over; in raw data there are no lines to name.
 GreyImage parse_pgm(std::string_view bytes, const std::string& file);
 
 }  // namespace voronaut

@@ -20,8 +20,9 @@ struct RosMapDescription {
 };
 
 // Keys image, resolution (m per pixel), origin ([x, y, yaw] of the lower left pixel's corner, yaw
-// 0), negate, occupied_thresh, free_thresh, mode (trinary or scale, which here mean the same: a
-// pixel is occupied, free or unknown); others are refused.
+// 0), negate (0, 1, false or true), occupied_thresh, free_thresh, mode (trinary or scale, which
+// here mean the same: a pixel is occupied, free or unknown). Other keys are not read, as map_server
+// does not; one that looks like a misspelt one of these is refused.
 RosMapDescription read_ros_map_description(const ConfigNode& root);
 
 // A pixel's occupancy is 1 - value / white (value / white if negated): occupied from

@@ -48,6 +48,23 @@ TEST(RosMap, TakesPixelsForOccupiedFreeOrUnknown) {
   EXPECT_EQ(seen(ros_map_cells(map, image, UnknownCells::free)), ".###.#");
 }
 
+TEST(RosMap, MayHaveKeysOfItsOwnAndAFlagForNegate) {
+  const std::string rest =
+      "image: m.pgm\nresolution: 1\norigin: [0, 0, 0]\noccupied_thresh: 0.6\nfree_thresh: 0.2\n"
+      "uuid: 7\n";
+  const auto negates = [&](const std::string& value) {
+    return read_ros_map_description(ConfigNode::parse("negate: " + value + "\n" + rest, "m.yaml"))
+        .negate;
+  };
+  EXPECT_TRUE(negates("true"));
+  EXPECT_FALSE(negates("False"));
+  EXPECT_TRUE(negates("1"));
+  EXPECT_EQ(yaml_error("negate: 2\n" + rest),
+            "m.yaml:1: key 'negate': expected a whole number from 0 to 1, got '2'");
+  EXPECT_EQ(yaml_error("negate: maybe\n" + rest),
+            "m.yaml:1: key 'negate': expected true or false, got 'maybe'");
+}
+
 TEST(RosMap, IsRefusedWithTheKeyAndTheReason) {
   EXPECT_EQ(yaml_error("image: m.pgm\nresolution: 0\norigin: [0, 0, 0]\noccupied_thresh: 0.6\n"
                        "free_thresh: 0.2\n"),
@@ -58,6 +75,14 @@ TEST(RosMap, IsRefusedWithTheKeyAndTheReason) {
   EXPECT_EQ(yaml_error("image: m.pgm\nresolution: 1\norigin: [0, 0, 0]\noccupied_thresh: 0.6\n"
                        "free_thresh: 0.7\n"),
             "m.yaml:5: key 'free_thresh': expected a number from 0 to 0.6, got '0.7'");
+  EXPECT_EQ(yaml_error("image: m.pgm\nresolution: 1\norigin: [0, 0]\n"),
+            "m.yaml:3: key 'origin': expected [x, y, yaw], got a list of 2");
+  EXPECT_EQ(yaml_error(kYaml + "mode: Trinary\n"),
+            "m.yaml:7: key 'mode': expected one of trinary, scale, got 'Trinary' (did you mean "
+            "'trinary'?)");
+  EXPECT_EQ(yaml_error(kYaml + "map_id: 7\nmod: raw\n"),
+            "m.yaml:8: key 'mod': unknown key (allowed: image, resolution, origin, negate, "
+            "occupied_thresh, free_thresh, mode; did you mean 'mode'?)");
   EXPECT_EQ(yaml_error(kYaml + "mode: raw\n"),
             "m.yaml:7: key 'mode': expected one of trinary, scale, got 'raw'");
 }
@@ -68,6 +93,19 @@ TEST(Pgm, IsReadRawWithOneOrTwoBytes) {
   EXPECT_EQ(one.value(1, 0), 255);
   const GreyImage two = parse_pgm(std::string("P5 1 1 1000 \x01\x02", 14), "m.pgm");
   EXPECT_EQ(two.value(0, 0), 258);
+}
+
+TEST(Pgm, MayEndAsMapSaverDoes) {
+  EXPECT_EQ(parse_pgm("P5\n2 1\n255\nab\n", "m.pgm").value(1, 0), 'b');
+  EXPECT_EQ(parse_pgm("P2\n2 1\n255\n1 2 # end\n", "m.pgm").value(1, 0), 2);
+}
+
+TEST(Pgm, IsRefusedWhereItsPixelsWouldBeMovedOrLeftOver) {
+  EXPECT_EQ(pgm_error("P5\r\n2 1\r\n255\r\nab"),
+            "m.pgm:3: expected 2 bytes of pixels, got 3 (the header ends in \\r\\n; one blank must "
+            "end it)");
+  EXPECT_EQ(pgm_error("P5\n2 1\n255\nabc"), "m.pgm:3: expected 2 bytes of pixels, got 3");
+  EXPECT_EQ(pgm_error("P2\n2 1\n255\n1 2 3\n"), "m.pgm:4: more pixels than width and height say");
 }
 
 TEST(Pgm, IsRefusedWithTheReason) {
