@@ -24,6 +24,9 @@ std::vector<std::string_view> fields_of(std::string_view line) {
   return fields;
 }
 
+// Equal but for what rounding leaves of a diameter.
+bool is_near(double one_m, double other_m) { return std::abs(one_m - other_m) <= 1e-6 * other_m; }
+
 }  // namespace
 
 ForeignWorld parse_dodgedrone(std::string_view text, const std::string& file,
@@ -44,7 +47,11 @@ ForeignWorld parse_dodgedrone(std::string_view text, const std::string& file,
     const double y = lines.real(fields[2], "y", -kFar, kFar);
     const double z = lines.real(fields[3], "z", -kFar, kFar);
     const double radius_m = lines.real(fields[8], "sx", kSmallestRadius, kLargestRadius) / 2;
+    const double width_m = lines.real(fields[9], "sy", 0, kLargestRadius);
+    const double height_m = lines.real(fields[10], "sz", 0, kLargestRadius);
     if (std::abs(x) >= kParked_m || std::abs(y) >= kParked_m || std::abs(z) >= kParked_m) continue;
+    if (!is_near(width_m, 2 * radius_m) || !is_near(height_m, 2 * radius_m))
+      throw lines.error("sx, sy and sz differ: only spheres are read");
     const double above_m = options.cut == SphereCut::columns ? 0 : z - options.height_m;
     const double left_sq = radius_m * radius_m - above_m * above_m;
     if (left_sq >= kSmallestRadius * kSmallestRadius)

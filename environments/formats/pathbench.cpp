@@ -5,8 +5,9 @@
 namespace voronaut {
 
 ForeignWorld read_pathbench(const ConfigNode& root, double cell_size_m) {
+  if (const auto type = root.find("type")) type->choice({"DenseMap"});
   root.allow_only({"type", "version", "grid", "agent", "goal"});
-  root.child("type").choice({"DenseMap"});
+  root.child("type");
   const ConfigNode grid = root.child("grid");
   const std::vector<ConfigNode> rows = grid.items();
   if (rows.empty()) throw grid.error("expected at least one row");
@@ -23,6 +24,7 @@ ForeignWorld read_pathbench(const ConfigNode& root, double cell_size_m) {
     const auto values = rows[static_cast<std::size_t>(row)].items(columns, form);
     for (int column = 0; column < frame.columns; ++column) {
       const ConfigNode& cell = values[static_cast<std::size_t>(column)];
+      if (cell.is_list()) throw cell.error("a map of three dimensions; only those of two are read");
       const double value = cell.number(0, 3);
       if (value != 0 && value != 1 && value != 2 && value != 3)
         throw cell.error("expected 0 (free), 1 (wall), 2 (agent) or 3 (goal)");
