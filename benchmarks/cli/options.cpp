@@ -5,6 +5,7 @@
 #include <CLI/CLI.hpp>
 
 #include "voronaut/benchmarks/results/build_info.h"
+#include "voronaut/environments/formats/foreign_formats.h"
 
 namespace voronaut {
 
@@ -126,6 +127,8 @@ struct Commands {
     show_command->add_option("FILE", show.file, "Scenario file, or a file of docs/formats.md")
         ->required();
     show_command->add_option("-o,--output", show.out, "File.svg or file.png")->required();
+    show_command->add_option("--format", show.format, "Of a foreign world [as the file looks]")
+        ->check(CLI::IsMember(foreign_format_names()));
     show_command->add_option("--seed", show.seed, "Of a random world")
         ->check(CLI::Range(std::int64_t{0}, std::numeric_limits<std::int64_t>::max()));
     add_data(show_command, show.data);

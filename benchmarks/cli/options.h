@@ -72,8 +72,9 @@ struct PlotOptions {
 };
 
 struct ShowOptions {
-  std::string file;  // a scenario or a foreign world
-  std::string out;   // .svg or .png
+  std::string file;    // a scenario or a foreign world
+  std::string format;  // of a foreign world; empty: as the file looks
+  std::string out;     // .svg or .png
   std::uint64_t seed = 1;
   std::string data;
 };

@@ -12,7 +12,7 @@ namespace {
 
 // A world around the shapes, for files that do not say how far it reaches.
 Bounds bounds_around(const Shapes& shapes, const std::string& file) {
-  if (shapes.empty()) throw ConfigError(file, 0, "", "nothing to draw");
+  if (shapes.empty()) throw ConfigError(file, 1, "", "nothing to draw");
   const Bounds huge{Vec2::Constant(1e9), Vec2::Constant(-1e9)};
   Bounds around = huge;
   const auto extend = [&around](const Bounds& of) {
@@ -25,8 +25,8 @@ Bounds bounds_around(const Shapes& shapes, const std::string& file) {
   return {around.min - margin, around.max + margin};
 }
 
-FigurePanel foreign_panel(const std::string& file) {
-  const ForeignFormat& format = foreign_format("", file);
+FigurePanel foreign_panel(const std::string& file, const std::string& name) {
+  const ForeignFormat& format = foreign_format(name, file);
   const ForeignWorld read = format.read(file, format.defaults);
   const Bounds bounds = read.bounds ? *read.bounds : bounds_around(read.shapes, file);
   Scenario scenario;
@@ -53,9 +53,9 @@ std::vector<FigurePanel> scenario_panels(const ShowOptions& options) {
 
 ExitCode execute(const ShowOptions& options, const CommandContext& context) {
   check_figure_name(options.out);
-  const bool foreign = is_foreign_file(options.file);
+  const bool foreign = !options.format.empty() || is_foreign_file(options.file);
   const std::vector<FigurePanel> panels =
-      foreign ? std::vector{foreign_panel(options.file)} : scenario_panels(options);
+      foreign ? std::vector{foreign_panel(options.file, options.format)} : scenario_panels(options);
   write_figure(panels, options.out);
   context.out << options.out << "\n";
   return ExitCode::success;

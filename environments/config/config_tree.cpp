@@ -1,5 +1,6 @@
 #include "voronaut/environments/config/config_tree.h"
 
+#include <algorithm>
 #include <cstddef>
 #include <map>
 #include <sstream>
@@ -15,6 +16,12 @@
 
 namespace voronaut {
 namespace {
+
+// A text that ends within an item is said to be wrong in the line behind it.
+int lines_of(std::string_view text) {
+  const auto ends = std::count(text.begin(), text.end(), '\n');
+  return static_cast<int>(ends) + (text.empty() || text.back() != '\n' ? 1 : 0);
+}
 
 int line_of(const YAML::Mark& mark) { return mark.is_null() ? 0 : mark.line + 1; }
 
@@ -153,7 +160,7 @@ std::shared_ptr<const ConfigTree> parse_yaml(const std::string& text, const std:
     YAML::Parser parser(stream);
     if (!parser.HandleNextDocument(builder) || !builder.root() ||
         builder.root()->kind == ConfigTree::Kind::nothing)
-      throw ConfigError(file, 0, "", "the file is empty");
+      throw ConfigError(file, 1, "", "the file is empty");
     auto root = builder.root();
     TreeBuilder second(file);
     if (parser.HandleNextDocument(second))
@@ -161,7 +168,9 @@ std::shared_ptr<const ConfigTree> parse_yaml(const std::string& text, const std:
                         "a second document; expected one");
     return root;
   } catch (const YAML::Exception& error) {
-    throw ConfigError(file, line_of(error.mark), "", "not valid YAML: " + error.msg);
+    const bool is_json = file.ends_with(".json");  // which YAML is a superset of
+    throw ConfigError(file, std::min(line_of(error.mark), lines_of(text)), "",
+                      (is_json ? "not valid JSON: " : "not valid YAML: ") + error.msg);
   }
 }
 

@@ -6,6 +6,7 @@
 
 #include "voronaut/environments/config/config_node.h"
 #include "voronaut/environments/config/nearest_name.h"
+#include "voronaut/environments/formats/text_lines.h"
 
 namespace voronaut {
 namespace {
@@ -37,7 +38,7 @@ CsvTable CsvTable::parse(const std::string& text, const std::string& path,
                          const std::vector<std::string>& required_columns) {
   CsvTable table;
   table.path_ = path;
-  std::istringstream stream(text);
+  std::istringstream stream{std::string(without_byte_order_mark(text))};
   int line_number = 0;
   for (std::string line; std::getline(stream, line);) {
     ++line_number;
@@ -57,7 +58,7 @@ CsvTable CsvTable::parse(const std::string& text, const std::string& path,
       table.rows_.push_back({line_number, std::move(fields)});
     }
   }
-  if (table.columns_.empty()) throw ConfigError(path, 0, "", "the file is empty");
+  if (table.columns_.empty()) throw ConfigError(path, 1, "", "the file is empty");
   return table;
 }
 

@@ -87,7 +87,8 @@ Courses list_movingai(const std::string& folder, const ForeignOptions& options) 
                           options.cell_size_m};
     const std::string queries = file + ".scen";
     courses.push_back(
-        {"movingai_" + map, parse_movingai_scen(read_text_file(queries), queries, frame),
+        {"movingai_" + map,
+         parse_movingai_scen(read_text_file(queries), queries, frame, map + ".map"),
          [file, options] { return foreign_format("movingai", file).read(file, options); }});
   }
   return courses;

@@ -13,6 +13,7 @@
 #include "voronaut/environments/formats/pathbench.h"
 #include "voronaut/environments/formats/ros_map.h"
 #include "voronaut/environments/formats/sdf_world.h"
+#include "voronaut/environments/formats/text_lines.h"
 
 namespace voronaut {
 namespace {
@@ -21,13 +22,27 @@ std::string ending_of(const std::string& path) {
   return std::filesystem::path(path).extension().string();
 }
 
-// Whether a line of the text begins with these characters.
-bool has_line(std::string_view text, std::string_view beginning) {
-  for (std::size_t at = 0; at != std::string_view::npos && at < text.size();) {
-    if (text.substr(at).starts_with(beginning)) return true;
-    at = text.find('\n', at);
-    if (at != std::string_view::npos) ++at;
-  }
+FileLook look_at(const std::string& path) {
+  FileLook file{ending_of(path), std::string(without_byte_order_mark(read_bytes(path))), {}};
+  if (file.ending == ".yaml" || file.ending == ".yml")
+    file.yaml = ConfigNode::parse(file.text, path);
+  return file;
+}
+
+bool is_ros_map(const FileLook& file) { return file.yaml && file.yaml->find("image"); }
+
+// Our own scenario files have a `world` too, of shapes.
+bool is_ir_sim(const FileLook& file) {
+  if (!file.yaml) return false;
+  const auto world = file.yaml->find("world");
+  const bool has_size = world && world->is_map() && (world->find("width") || world->find("height"));
+  return has_size || file.yaml->find("robot") || file.yaml->find("obstacle");
+}
+
+bool has_line(const FileLook& file, std::string_view beginning) {
+  TextLines lines(file.text, "");
+  while (lines.next())
+    if (lines.line().starts_with(beginning)) return true;
   return false;
 }
 
@@ -42,9 +57,19 @@ ForeignWorld read_movingai(const std::string& path, const ForeignOptions& option
   return world_of(cells, {cells.columns(), cells.rows(), options.cell_size_m});
 }
 
+// What is wrong with the image is said where the map names it.
+GreyImage read_image(const std::string& path, const ConfigNode& place) {
+  try {
+    return parse_pgm(read_bytes(path), path);
+  } catch (const ConfigError& error) {
+    throw place.error(error.what());
+  }
+}
+
 ForeignWorld read_ros_map(const std::string& path, const ForeignOptions& options) {
-  const RosMapDescription map = read_ros_map_description(ConfigNode::read_file(path));
-  const GreyImage image = parse_pgm(read_bytes(map.image), map.image);
+  const ConfigNode root = ConfigNode::read_file(path);
+  const RosMapDescription map = read_ros_map_description(root);
+  const GreyImage image = read_image(map.image, root.child("image"));
   const BlockedCells cells = ros_map_cells(map, image, options.unknown);
   return world_of(cells, {cells.columns(), cells.rows(), map.resolution_m, map.origin});
 }
@@ -84,25 +109,14 @@ const std::vector<ForeignFormat>& foreign_formats() {
   static const std::vector<ForeignFormat> all = {
       {"movingai",
        "MovingAI grid (.map)",
-       [](std::string_view ending, std::string_view text) {
-         return ending == ".map" && has_line(text, "type");
-       },
+       [](const FileLook& file) { return file.ending == ".map"; },
        {"cell_size_m"},
        {},
        read_movingai},
-      {"ros_map",
-       "ROS map_server (.yaml and its .pgm)",
-       [](std::string_view ending, std::string_view text) {
-         return (ending == ".yaml" || ending == ".yml") && has_line(text, "image:");
-       },
-       {"unknown"},
-       {},
-       read_ros_map},
+      {"ros_map", "ROS map_server (.yaml and its .pgm)", is_ros_map, {"unknown"}, {}, read_ros_map},
       {"sdf",
        "Gazebo world of cylinders and boxes, as BARN's (.world)",
-       [](std::string_view ending, std::string_view text) {
-         return ending == ".world" || (ending == ".sdf" && text.find("<sdf") != text.npos);
-       },
+       [](const FileLook& file) { return file.ending == ".world" || file.ending == ".sdf"; },
        {},
        {},
        [](const std::string& path, const ForeignOptions&) {
@@ -110,7 +124,7 @@ const std::vector<ForeignFormat>& foreign_formats() {
        }},
       {"pathbench",
        "PathBench dense map (.json)",
-       [](std::string_view ending, std::string_view) { return ending == ".json"; },
+       [](const FileLook& file) { return file.ending == ".json"; },
        {"cell_size_m"},
        unit_cells(),
        [](const std::string& path, const ForeignOptions& options) {
@@ -118,10 +132,7 @@ const std::vector<ForeignFormat>& foreign_formats() {
        }},
       {"ir_sim",
        "IR-SIM world (.yaml)",
-       [](std::string_view ending, std::string_view text) {
-         return (ending == ".yaml" || ending == ".yml") && has_line(text, "robot:") &&
-                has_line(text, "world:");
-       },
+       is_ir_sim,
        {},
        {},
        [](const std::string& path, const ForeignOptions&) {
@@ -129,9 +140,9 @@ const std::vector<ForeignFormat>& foreign_formats() {
        }},
       {"dodgedrone",
        "DodgeDrone spheres (static_obstacles.csv)",
-       [](std::string_view ending, std::string_view text) {
-         const std::string_view first = text.substr(0, text.find('\n'));
-         return ending == ".csv" && std::count(first.begin(), first.end(), ',') == 10;
+       [](const FileLook& file) {
+         const std::string first = file.text.substr(0, file.text.find('\n'));
+         return file.ending == ".csv" && std::count(first.begin(), first.end(), ',') == 10;
        },
        {"cut", "height_m"},
        {},
@@ -140,9 +151,7 @@ const std::vector<ForeignFormat>& foreign_formats() {
        }},
       {"ompl_circles",
        "circles of OMPL's tests (.txt)",
-       [](std::string_view ending, std::string_view text) {
-         return ending == ".txt" && has_line(text, "units:");
-       },
+       [](const FileLook& file) { return file.ending == ".txt" && has_line(file, "units:"); },
        {},
        {},
        [](const std::string& path, const ForeignOptions&) {
@@ -150,8 +159,8 @@ const std::vector<ForeignFormat>& foreign_formats() {
        }},
       {"ompl_env",
        "grid of OMPL's tests (.txt)",
-       [](std::string_view ending, std::string_view text) {
-         return ending == ".txt" && has_line(text, "discretization(cells):");
+       [](const FileLook& file) {
+         return file.ending == ".txt" && has_line(file, "discretization(cells):");
        },
        {"cell_size_m"},
        unit_cells(),
@@ -160,7 +169,7 @@ const std::vector<ForeignFormat>& foreign_formats() {
        }},
       {"circles_csv",
        "circles, columns x, y, r (.csv)",
-       [](std::string_view ending, std::string_view) { return ending == ".csv"; },
+       [](const FileLook& file) { return file.ending == ".csv"; },
        {},
        {},
        read_circles}};
@@ -174,24 +183,23 @@ std::vector<std::string> foreign_format_names() {
 }
 
 bool is_foreign_file(const std::string& path) {
-  const std::string ending = ending_of(path);
-  const std::string text = read_bytes(path);
-  return (ending != ".yaml" && ending != ".yml") ||
+  const FileLook file = look_at(path);
+  return !file.yaml ||
          std::any_of(foreign_formats().begin(), foreign_formats().end(),
-                     [&](const ForeignFormat& format) { return format.recognises(ending, text); });
+                     [&](const ForeignFormat& format) { return format.recognises(file); });
 }
 
 const ForeignFormat& foreign_format(const std::string& name, const std::string& path) {
-  const std::string text = name.empty() ? read_bytes(path) : "";
-  const auto found =
-      std::find_if(foreign_formats().begin(), foreign_formats().end(), [&](const auto& format) {
-        return name.empty() ? format.recognises(ending_of(path), text) : format.name == name;
+  const FileLook file = name.empty() ? look_at(path) : FileLook{};
+  const auto found = std::find_if(
+      foreign_formats().begin(), foreign_formats().end(), [&](const ForeignFormat& format) {
+        return name.empty() ? format.recognises(file) : format.name == name;
       });
   if (found != foreign_formats().end()) return *found;
   if (!name.empty())
     throw ConfigError(path, 0, "",
                       "no format " + in_quotes(name) + allowed_names(name, foreign_format_names()));
-  throw ConfigError(path, 0, "",
+  throw ConfigError(path, 1, "",
                     "not recognised as one of the formats " + join_names(foreign_format_names()) +
                         "; name its format");
 }
@@ -202,7 +210,8 @@ std::vector<ForeignQuery> read_queries(const std::string& path, const std::strin
   if (ending_of(path) == ".txt") return parse_ompl_circle_queries(read_text_file(path), path);
   if (!world.cells)
     throw ConfigError(path, 0, "", "cells of " + in_quotes(world_path) + ", which is no grid");
-  return parse_movingai_scen(read_text_file(path), path, *world.cells);
+  return parse_movingai_scen(read_text_file(path), path, *world.cells,
+                             std::filesystem::path(world_path).filename().string());
 }
 
 }  // namespace voronaut

@@ -19,25 +19,37 @@ int expect_size(TextLines& lines, const std::string& key) {
   return static_cast<int>(lines.whole(expect_pair(lines, key), key, 1, BlockedCells::kLongestSide));
 }
 
+std::string_view without_trailing_blanks(std::string_view line) {
+  return line.substr(0, line.find_last_not_of(" \t") + 1);
+}
+
+// "arena" of "maps/dao/arena.map".
+std::string_view map_name_of(std::string_view path) {
+  constexpr std::string_view kEnding = ".map";
+  path.remove_prefix(path.find_last_of("/\\") + 1);
+  return path.ends_with(kEnding) ? path.substr(0, path.size() - kEnding.size()) : path;
+}
+
 }  // namespace
 
 BlockedCells parse_movingai_map(std::string_view text, const std::string& file) {
   constexpr std::string_view kPassable = ".GS";
   constexpr std::string_view kBlocked = "@OTW";
   TextLines lines(text, file);
-  expect_pair(lines, "type");
+  if (const auto type = expect_pair(lines, "type"); type != "octile")
+    throw lines.error("expected the type octile, got " + in_quotes(type));
   const int rows = expect_size(lines, "height");
   const int columns = expect_size(lines, "width");
   if (!BlockedCells::may_have(columns, rows))
     throw lines.error("more than " + std::to_string(BlockedCells::kMostCells) + " cells");
-  if (!lines.next() || lines.line() != "map")
+  if (!lines.next() || lines.words() != std::vector<std::string_view>{"map"})
     throw lines.error("expected the line 'map', got " + in_quotes(lines.line()));
   BlockedCells cells(columns, rows);
   for (int row = rows - 1; row >= 0; --row) {
     if (!lines.next())
       throw lines.error("the file ends after " + std::to_string(rows - 1 - row) + " of " +
                         std::to_string(rows) + " rows");
-    const std::string_view line = lines.line();
+    const std::string_view line = without_trailing_blanks(lines.line());
     if (line.size() != static_cast<std::size_t>(columns))
       throw lines.error("expected a row of " + std::to_string(columns) + " cells, got " +
                         std::to_string(line.size()));
@@ -56,7 +68,7 @@ BlockedCells parse_movingai_map(std::string_view text, const std::string& file) 
 }
 
 std::vector<ForeignQuery> parse_movingai_scen(std::string_view text, const std::string& file,
-                                              const CellFrame& frame) {
+                                              const CellFrame& frame, const std::string& map_file) {
   TextLines lines(text, file);
   const std::string_view version = expect_pair(lines, "version");
   if (version != "1" && version != "1.0")
@@ -71,6 +83,9 @@ std::vector<ForeignQuery> parse_movingai_scen(std::string_view text, const std::
           "expected 9 columns (bucket, map, width, height, start x, start y, goal x, goal y, "
           "length), got " +
           std::to_string(words.size()));
+    if (map_name_of(words[1]) != map_name_of(map_file))
+      throw lines.error("a query of the map " + in_quotes(words[1]) + ", not of " +
+                        in_quotes(map_file));
     const auto cell = [&](std::size_t word, const char* what, int count) {
       return static_cast<int>(lines.whole(words[word], what, 0, count - 1));
     };

@@ -12,14 +12,14 @@
 // ConfigError with the line.
 namespace voronaut {
 
-// A .map: passable are '.', 'G' and 'S' (swamp); blocked '@', 'O', 'T' and 'W' (water, which may be
-// entered only from water). The file's first row is the upper one.
+// A .map of type octile: passable are '.', 'G' and 'S' (swamp); blocked '@', 'O', 'T' and 'W'
+// (water, which may be entered only from water). The file's first row is the upper one.
 BlockedCells parse_movingai_map(std::string_view text, const std::string& file);
 
 // A .scen of version 1 for a map that lies there. Cells become their centres; the reference
-// length is that of 8-connected cells without cut corners. The column with the map's name is not
-// read.
+// length is that of 8-connected cells without cut corners. Each query must be of `map_file`: names
+// are compared without folders and ".map".
 std::vector<ForeignQuery> parse_movingai_scen(std::string_view text, const std::string& file,
-                                              const CellFrame& frame);
+                                              const CellFrame& frame, const std::string& map_file);
 
 }  // namespace voronaut

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <string>
 #include <string_view>
@@ -9,11 +10,18 @@
 
 namespace voronaut {
 
+// A text without the mark by which some editors begin UTF-8.
+inline std::string_view without_byte_order_mark(std::string_view text) {
+  constexpr std::string_view kMark = "\xef\xbb\xbf";
+  return text.starts_with(kMark) ? text.substr(kMark.size()) : text;
+}
+
 // A text line by line, for readers of foreign formats that must say in which line a fault is. The
-// text must outlive it. "\r\n" ends a line too.
+// text must outlive it. "\r\n" ends a line too; a byte order mark is left out.
 class TextLines {
  public:
-  TextLines(std::string_view text, std::string file) : rest_(text), file_(std::move(file)) {}
+  TextLines(std::string_view text, std::string file)
+      : rest_(without_byte_order_mark(text)), file_(std::move(file)) {}
 
   // Goes to the next line; false if there is none.
   bool next();
@@ -31,8 +39,10 @@ class TextLines {
   // Refuses anything but blank lines from here on.
   void expect_blank_rest();
 
-  // A fault in this line; at the end of the file, in its last one.
-  ConfigError error(std::string_view problem) const { return {file_, number_, "", problem}; }
+  // A fault in this line; at the end of the file, in its last one; of an empty file, in the first.
+  ConfigError error(std::string_view problem) const {
+    return {file_, std::max(number_, 1), "", problem};
+  }
 
  private:
   std::string_view rest_;

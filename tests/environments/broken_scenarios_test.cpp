@@ -44,7 +44,7 @@ const std::map<std::string, std::string> kMessages = {
      "circles_not_nested.yaml:1: key 'world.circles[0]': expected [x, y, r], got '4'"},
     {"csv_bad_number.yaml",
      "bad_number.csv:2: column 'y': expected a number from -100000 to 100000, got '2m'"},
-    {"csv_empty.yaml", "empty.csv: the file is empty"},
+    {"csv_empty.yaml", "empty.csv:1: the file is empty"},
     {"csv_missing_column.yaml", "missing_column.csv:1: column 'r' is missing; the header is 'x,y'"},
     {"csv_nan.yaml", "nan.csv:2: column 'x': expected a number from -100000 to 100000, got 'nan'"},
     {"csv_negative_radius.yaml",
@@ -57,7 +57,7 @@ const std::map<std::string, std::string> kMessages = {
      "dataset_pick.yaml:1: key 'dataset': 'barn' lies in the data folder, which is not known: give "
      "--data DIR or set VORONAUT_DATA"},
     {"duplicate_key.yaml", "duplicate_key.yaml:5: key 'start': given twice (first in line 3)"},
-    {"empty.yaml", "empty.yaml: the file is empty"},
+    {"empty.yaml", "empty.yaml:1: the file is empty"},
     {"file_of_file.yaml",
      "file_of_file.yaml:1: key 'file': a scenario file cannot name another one"},
     {"flat_polygon.yaml", "flat_polygon.yaml:1: key 'world.polygons[0]': folds back at vertex 2"},
@@ -116,8 +116,8 @@ const std::map<std::string, std::string> kMessages = {
     {"no_source.yaml",
      "no_source.yaml:1: expected one of the keys file, world, world_file, generator, dataset"},
     {"not_a_map.yaml", "not_a_map.yaml:1: expected a map of keys, got a list of 2"},
-    {"not_yaml.yaml", "not_yaml.yaml:2: not valid YAML: end of sequence flow not found"},
-    {"only_comment.yaml", "only_comment.yaml: the file is empty"},
+    {"not_yaml.yaml", "not_yaml.yaml:1: not valid YAML: end of sequence flow not found"},
+    {"only_comment.yaml", "only_comment.yaml:1: the file is empty"},
     {"point_segment.yaml",
      "point_segment.yaml:1: key 'world.segments[0]': both ends are the same point"},
     {"quoted_number.yaml",
@@ -151,7 +151,8 @@ const std::map<std::string, std::string> kMessages = {
     {"wrong_type_start.yaml", "wrong_type_start.yaml:3: key 'start': expected [x, y], got 'here'"},
     {"world_file_bad_cell.yaml",
      "files/bad_cell.map:6: column 2: expected one of .GS@OTW, got 'x'"},
-    {"world_file_bad_pixel.yaml", "files/short.pgm:3: expected 4 bytes of pixels, got 3"},
+    {"world_file_bad_pixel.yaml",
+     "files/short_pgm.yaml:1: key 'image': files/short.pgm:3: expected 4 bytes of pixels, got 3"},
     {"world_file_bad_query.yaml",
      "files/bad_query.scen:2: goal x: expected a whole number from 0 to 2, got '3'"},
     {"world_file_format.yaml",
@@ -168,7 +169,7 @@ const std::map<std::string, std::string> kMessages = {
     {"world_file_start_and_queries.yaml",
      "world_file_start_and_queries.yaml:3: key 'start': cannot stand beside 'queries'"},
     {"world_file_unrecognised.yaml",
-     "files/empty.map: not recognised as one of the formats movingai, ros_map, sdf, pathbench, "
+     "files/unknown.txt:1: not recognised as one of the formats movingai, ros_map, sdf, pathbench, "
      "ir_sim, dodgedrone, ompl_circles, ompl_env, circles_csv; name its format"},
     {"zero_radius.yaml",
      "zero_radius.yaml:1: key 'world.circles[0][2]': expected a number from 0.001 to 1000, got "

@@ -28,7 +28,7 @@ const std::map<std::string, Reader> kReaders = {
      }},
     {"movingai_scen",
      [](const std::string& text) {
-       parse_movingai_scen(text, "f", {4, 3, 0.25});
+       parse_movingai_scen(text, "f", {4, 3, 0.25}, "m.map");
      }},
     {"pgm", [](const std::string& text) { parse_pgm(text, "f"); }},
     {"ros_map",

@@ -144,6 +144,11 @@ TEST_F(CommandLine, DrawsScenariosAndForeignWorlds) {
   EXPECT_THAT(text_of(path("w.svg")), HasSubstr("<circle"));
   EXPECT_EQ(voronaut("show cells.map -o c.svg").out, "c.svg\n");
   EXPECT_THAT(text_of(path("c.svg")), ::testing::Not(HasSubstr("<circle")));  // no start
+  write("cells", text_of(path("cells.map")));
+  EXPECT_THAT(voronaut("show cells -o f.svg").err, HasSubstr("cells:1: not recognised as one of"));
+  EXPECT_EQ(voronaut("show cells --format movingai -o f.svg").out, "f.svg\n");
+  EXPECT_EQ(text_of(path("f.svg")).size(), text_of(path("c.svg")).size() - 4);  // its name
+  EXPECT_EQ(voronaut("show cells --format moving -o f.svg").exit_code, 2);
   const Answer picture = voronaut("show cells.map -o c.gif");
   EXPECT_EQ(picture.exit_code, 2);
   EXPECT_THAT(picture.err, StartsWith("voronaut: -o 'c.gif': expected a name that ends in .svg"));

@@ -146,7 +146,7 @@ TEST(SuiteConfig, SaysInOneLineWhatIsWrong) {
       "mapping, navigation, loop, budget, limits, traces, claims";
   const std::string count = "expected a whole number from ";
   const std::vector<std::pair<std::string, std::string>> cases = {
-      {"", "s.yaml: the file is empty"},
+      {"", "s.yaml:1: the file is empty"},
       {"just text", "s.yaml:1: expected a map of keys, got 'just text'"},
       {suite_with("seeed", "1"),
        "s.yaml:5: key 'seeed': unknown key (allowed: " + keys + "; did you mean 'seed'?)"},

@@ -20,7 +20,7 @@ std::string map_error(const std::string& text) {
 
 std::string scen_error(const std::string& text) {
   try {
-    parse_movingai_scen(text, "a.scen", {4, 3, 0.25});
+    parse_movingai_scen(text, "a.scen", {4, 3, 0.25}, "a.map");
   } catch (const ConfigError& error) {
     return error.what();
   }
@@ -44,8 +44,15 @@ TEST(MovingAiMap, MayEndItsLinesAsWindowsDoes) {
   EXPECT_TRUE(parse_movingai_map(text, "a.map").blocked(1, 2));
 }
 
+TEST(MovingAiMap, MayHaveBlanksAfterItsLines) {
+  const BlockedCells cells =
+      parse_movingai_map("\xef\xbb\xbftype octile \nheight 1\nwidth 3\nmap \n.@. \t\n", "a.map");
+  EXPECT_TRUE(cells.blocked(1, 0));
+}
+
 TEST(MovingAiMap, IsRefusedWithTheLineAndTheReason) {
-  EXPECT_EQ(map_error(""), "a.map: the file ends before 'type'");
+  EXPECT_EQ(map_error(""), "a.map:1: the file ends before 'type'");
+  EXPECT_EQ(map_error("type tile\n"), "a.map:1: expected the type octile, got 'tile'");
   EXPECT_EQ(map_error("type octile\nheight x\n"),
             "a.map:2: height: expected a whole number from 1 to 10000, got 'x'");
   EXPECT_EQ(map_error("type octile\nwidth 3\n"),
@@ -66,8 +73,8 @@ TEST(MovingAiMap, IsRefusedWithTheLineAndTheReason) {
 
 TEST(MovingAiScen, GivesCentresOfCells) {
   const auto queries = parse_movingai_scen(
-      "version 1.0\n0\tsome/a.map\t4\t3\t0\t0\t3\t2\t3.5\n2\ta.map\t4\t3\t3\t2\t2\t0\t8\n",
-      "a.scen", {4, 3, 0.5, {10, 20}});
+      "version 1.0\n0\tsome/a.map\t4\t3\t0\t0\t3\t2\t3.5\n2\tmaps\\a.map\t4\t3\t3\t2\t2\t0\t8\n",
+      "a.scen", {4, 3, 0.5, {10, 20}}, "a.map");
   ASSERT_EQ(queries.size(), 2U);
   EXPECT_EQ(queries[0].name, "0");
   EXPECT_EQ(queries[0].start, Vec2(10.25, 21.25));
@@ -78,6 +85,9 @@ TEST(MovingAiScen, GivesCentresOfCells) {
 }
 
 TEST(MovingAiScen, IsRefusedWithTheLineAndTheReason) {
+  EXPECT_EQ(scen_error(""), "a.scen:1: the file ends before 'version'");
+  EXPECT_EQ(scen_error("version 1\n0 a.map 4 3 0 0 3 2 1\n0 maps/b.map 4 3 0 0 3 2 1\n"),
+            "a.scen:3: a query of the map 'maps/b.map', not of 'a.map'");
   EXPECT_EQ(scen_error("version 2\n"), "a.scen:1: expected version 1, got '2'");
   EXPECT_EQ(scen_error("version 1\n"), "a.scen:1: no query in the file");
   EXPECT_EQ(scen_error("version 1\n0 a.map 4 3 0 0 3 2\n"),
