@@ -104,6 +104,7 @@ TEST(Pgm, IsRefusedWhereItsPixelsWouldBeMovedOrLeftOver) {
   EXPECT_EQ(pgm_error("P5\r\n2 1\r\n255\r\nab"),
             "m.pgm:3: expected 2 bytes of pixels, got 3 (the header ends in \\r\\n; one blank must "
             "end it)");
+  EXPECT_NE(pgm_error("P5\r\n2 1\r\n255\r\na\n"), "no error");  // a pixel of 10 at the end
   EXPECT_EQ(pgm_error("P5\n2 1\n255\nabc"), "m.pgm:3: expected 2 bytes of pixels, got 3");
   EXPECT_EQ(pgm_error("P2\n2 1\n255\n1 2 3\n"), "m.pgm:4: more pixels than width and height say");
 }
