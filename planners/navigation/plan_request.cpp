@@ -42,7 +42,9 @@ Plan ask_for_plan(ob::Planner& planner, const PlannerTraits& traits, PlanningPro
                   const PlanningBudget& budget) {
   if (!traits.plans_on_every_scan) {
     if (!problem.goal_has_place()) return {PlanStatus::infeasible, {}, {}, {}, SolveEnd::planner};
-    if (planner.isSetup()) planner.clear();
+    // Whether it is set up tells nothing: FMT and BFMT of OMPL 1.5.2 never say so.
+    const bool asked_before = planner.getProblemDefinition() != nullptr;
+    if (asked_before) planner.clear();
   }
   planner.setProblemDefinition(problem.definition());
   const auto [solved, end] = solve_within(planner, problem.meter(budget));

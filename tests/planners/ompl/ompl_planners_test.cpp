@@ -49,6 +49,31 @@ struct Asked {
   ob::PlannerPtr planner;
 };
 
+// As a flight asks: again and again, from where it is by then.
+TEST(EveryPlanner, PlansAnewWhenItIsAskedAgain) {
+  const PlannerCatalog catalog = PlannerCatalog::built_in();
+  for (const PlannerEntry* entry : catalog.entries()) {
+    if (entry->traits.plans_on_every_scan) continue;
+    PlanningBudget budget{
+        .state_checks = 3000, .ptc_evaluations = 6000, .stop = PlanningBudget::Stop::first};
+    // Threads that wait for a solution ask for the end all the time: those get a clock.
+    if (entry->traits.reproducible == Reproducible::no)
+      budget.counts = PlanningBudget::Counts::wall_clock;
+    budget.wall_clock_s = 1;
+    Asked asked(entry->name);
+    for (const Vec2& start : {Vec2(1, 5), Vec2(2, 4), Vec2(3, 6)}) {
+      asked.problem.update(ObstacleSnapshot{}, start);
+      const Plan plan = ask_for_plan(*asked.planner, entry->traits, asked.problem, budget);
+      ASSERT_NE(plan.status, PlanStatus::refused) << entry->name << ": " << plan.refusal;
+      // Its steps have a random length and seldom end within the tolerance.
+      if (entry->name == "SST" && plan.status == PlanStatus::none) continue;
+      ASSERT_EQ(plan.status, PlanStatus::to_goal) << entry->name << " from " << start.transpose();
+      EXPECT_EQ(plan.path.front(), start) << entry->name;
+      EXPECT_EQ(plan.path.back(), Vec2(9, 5)) << entry->name;
+    }
+  }
+}
+
 // Slanting, so that the lengths of parts of the straight way are rounded.
 TEST(AITstar, ImprovesItsPathThroughAnEmptySquareWithoutAborting) {
   Asked ait("AITstar", {8.765432, 6.54321});
