@@ -7,20 +7,23 @@
 
 #include "voronaut/dynamics/limits.h"
 #include "voronaut/dynamics/model.h"
+#include "voronaut/dynamics/models/cart.h"
 #include "voronaut/dynamics/models/ideal.h"
 #include "voronaut/dynamics/models/quadrotor.h"
 #include "voronaut/dynamics/regulator.h"
 #include "voronaut/dynamics/regulators/ideal.h"
 #include "voronaut/dynamics/regulators/paper_literal.h"
 #include "voronaut/dynamics/regulators/pd_rate.h"
+#include "voronaut/dynamics/regulators/position_trajectory.h"
 #include "voronaut/dynamics/velocity_response.h"
 
 // Vehicles and regulators by name. Every config in the variants has a visit list:
 // std::visit([&](auto& config) { config.visit(v); }, spec.model).
 namespace voronaut {
 
-using ModelConfig = std::variant<IdealConfig, QuadrotorConfig>;
-using RegulatorConfig = std::variant<IdealRegulatorConfig, PdRateConfig, PaperLiteralConfig>;
+using ModelConfig = std::variant<IdealConfig, QuadrotorConfig, CartConfig>;
+using RegulatorConfig =
+    std::variant<IdealRegulatorConfig, PdRateConfig, PaperLiteralConfig, PositionTrajectoryConfig>;
 
 struct VehicleSpec {
   std::string name;
@@ -38,6 +41,10 @@ struct VehicleSpec {
     limits.visit(v);
   }
 };
+
+// Rolls on the ground and only where it is heading: it keeps its height, looks where it drives and
+// cannot be promised to stop along a course in any direction (velocity_response throws).
+bool is_wheeled(const VehicleSpec& vehicle);
 
 std::vector<std::string> vehicle_names();
 std::vector<std::string> regulator_names();
@@ -64,8 +71,8 @@ struct StoppingLaw {
 // Throws like make_regulator. For paper_literal, which does not stop, kp/kd and the tilt limit.
 StoppingLaw stopping_law(const RegulatorConfig& config, const VehicleSpec& vehicle);
 
-// How velocity answers a command under a regulator. Throws like make_regulator, and for
-// paper_literal, whose loop is unstable: no stop can be promised for it.
+// How velocity answers a command under a regulator. Throws like make_regulator, for paper_literal,
+// whose loop is unstable: no stop can be promised for it, and for wheeled vehicles.
 VelocityResponse velocity_response(const RegulatorConfig& config, const VehicleSpec& vehicle,
                                    double period_s = 0.01);
 

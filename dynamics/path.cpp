@@ -76,7 +76,7 @@ double closest_offset(const PathSegment& segment, const Vector2d& p, double from
 }
 
 // The segment that holds a station; at a joint the one that starts there.
-std::size_t segment_at(const std::vector<double>& starts_m, double station_m) {
+std::size_t index_at(const std::vector<double>& starts_m, double station_m) {
   const auto next = std::upper_bound(starts_m.begin(), starts_m.end(), station_m);
   return next == starts_m.begin() ? 0 : static_cast<std::size_t>(next - starts_m.begin()) - 1;
 }
@@ -107,13 +107,18 @@ void Path::append(const PathSegment& segment) {
 
 Vector2d Path::point_at(double station_m) const {
   require(!empty(), "an empty path has no points");
-  const std::size_t i = segment_at(starts_m_, station_m);
+  const std::size_t i = index_at(starts_m_, station_m);
   return point_on(segments_[i], station_m - starts_m_[i]);
+}
+
+const PathSegment& Path::segment_at(double station_m) const {
+  require(!empty(), "an empty path has no segments");
+  return segments_[index_at(starts_m_, station_m)];
 }
 
 Vector2d Path::direction_at(double station_m) const {
   require(!empty(), "an empty path has no direction");
-  const std::size_t i = segment_at(starts_m_, station_m);
+  const std::size_t i = index_at(starts_m_, station_m);
   const PathSegment& segment = segments_[i];
   if (segment.kind == PathSegment::Kind::line) {
     return (segment.end - segment.start) / segment.length_m;
@@ -128,8 +133,8 @@ PathProjection Path::project(const Vector2d& p, double from_m, double to_m) cons
   const double first_m = std::clamp(from_m, 0.0, length_m());
   const double last_m = std::clamp(to_m, first_m, length_m());
   PathProjection best{.distance_m = std::numeric_limits<double>::infinity()};
-  for (std::size_t i = segment_at(starts_m_, first_m);
-       i < segments_.size() && starts_m_[i] <= last_m; ++i) {
+  for (std::size_t i = index_at(starts_m_, first_m); i < segments_.size() && starts_m_[i] <= last_m;
+       ++i) {
     const double offset = closest_offset(segments_[i], p, std::max(first_m - starts_m_[i], 0.0),
                                          std::min(last_m - starts_m_[i], segments_[i].length_m));
     const double distance = (point_on(segments_[i], offset) - p).norm();

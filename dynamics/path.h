@@ -27,7 +27,7 @@ struct PathProjection {
 };
 
 // What a planner produced and a vehicle follows: connected segments with arc length. Planners make
-// lines; arcs serve the cart's regulator, which needs the coefficients of each piece.
+// lines; the cart's regulator follows arcs as well, from the coefficients of each piece.
 class Path {
  public:
   Path() = default;
@@ -49,6 +49,9 @@ class Path {
 
   // Point at an arc length, clamped to the path. O(log n).
   Eigen::Vector2d point_at(double station_m) const;
+  // The segment that holds an arc length, clamped to the path; at a joint the one that starts
+  // there.
+  const PathSegment& segment_at(double station_m) const;
   // Unit direction of travel at an arc length.
   Eigen::Vector2d direction_at(double station_m) const;
   // Closest point of the part of the path in [from_m, to_m]: following a path means projecting on

@@ -14,6 +14,7 @@ constexpr double kHeightReached_m = 0.05;
 constexpr double kHeightReached_m_s = 0.1;
 constexpr double kBackOff_s = 2;
 constexpr double kBackOff_m_s = 0.3;
+constexpr double kTurnRound_s = 2;  // what looks where it drives does that before it backs off
 constexpr double kSqueeze_s = 4;
 constexpr double kHeldBackShare = 0.2;
 constexpr double kHeldBack_m_s = 0.3;
@@ -75,7 +76,7 @@ void Flight::recover(const VehicleState& state, double now_s) {
     case RecoveryAction::none:
       return;
     case RecoveryAction::back_off:
-      back_off_until_s = now_s + kBackOff_s;
+      back_off_until_s = now_s + kBackOff_s + (is_wheeled(spec.vehicle) ? kTurnRound_s : 0);
       back_off_from = crowding(p) ? crowding(p) : hemming_in(p);
       return;
     case RecoveryAction::squeeze:
@@ -142,6 +143,7 @@ Setpoint Flight::navigate(const VehicleState& state, double now_s) {
 
   setpoint.p_target_world.head<2>() = aim.p_target_world;
   setpoint.brake_at_target = aim.at_goal;
+  setpoint.piece = aim.piece;
   const Vec2 way = aim.p_target_world - p;
   const bool squeezing = retracing || now_s < squeeze_until_s;
   Vec2 towards = way.norm() > 0 ? Vec2(way.normalized()) : setpoint.heading_world;

@@ -77,6 +77,34 @@ void read_contents(const ConfigNode& root, const std::string& data_argument,
       [](const ScenarioSpec& scenario) { return scenario.name(); }, "give this one another name");
 }
 
+// A wheeled vehicle looks where it drives, and no stop is proved for it along a course that leads
+// anywhere else.
+void require_drivable(const ConfigNode& root, const SuiteConfig& suite) {
+  const auto wheeled =
+      std::find_if(suite.vehicles.begin(), suite.vehicles.end(),
+                   [](const VehicleEntry& entry) { return is_wheeled(entry.vehicle); });
+  if (wheeled == suite.vehicles.end() || suite.kind == TrialKind::known) return;
+  const std::string who = "vehicle " + in_quotes(wheeled->vehicle.name);
+  const std::vector<ConfigNode> entries = root.child("planners").items();
+  for (std::size_t i = 0; i < suite.planners.size(); ++i) {
+    const auto own = entries[i].is_map() ? entries[i].find("navigation") : std::nullopt;
+    const auto shared = root.find("navigation");
+    const auto said_at = [&](const char* key) {
+      for (const auto& section : {own, shared})
+        if (const auto node = section ? section->find(key) : std::nullopt) return *node;
+      return entries[i];
+    };
+    const NavigationConfig& navigation = suite.planners[i].navigation.value_or(suite.navigation);
+    if (navigation.governor)
+      throw said_at("governor")
+          .error("the governor proves no stop for " + who +
+                 ", which cannot move sideways (allowed: false)");
+    if (navigation.gaze != Gaze::path)
+      throw said_at("gaze").error("navigation.gaze 'fixed' is not for " + who +
+                                  ", which looks where it drives (allowed: path)");
+  }
+}
+
 }  // namespace
 
 SuiteConfig read_suite(const ConfigNode& root, const std::string& data_argument,
@@ -103,6 +131,7 @@ SuiteConfig read_suite(const ConfigNode& root, const std::string& data_argument,
   if (const auto traces = root.find("traces"))
     suite.traces = static_cast<TraceKeeping>(traces->choice({"all", "failures", "none"}));
   read_contents(root, data_argument, planners, suite);
+  require_drivable(root, suite);
   if (const auto claims = root.find("claims"))
     for (const ConfigNode& entry : claims->items())
       suite.claims.push_back(read_claim(entry, suite));

@@ -20,7 +20,8 @@ struct PlannedTrial {
 // The trials of a suite one after another, in the order scenario, repetition, vehicle, planner.
 // Worlds are made when it is their turn and shared by the trials in them. The seed of a world comes
 // from (suite seed, scenario, repetition), so every planner and vehicle meets the same world; the
-// planner's from (suite seed, scenario, planner label, repetition).
+// planner's from (suite seed, scenario, planner label, repetition). Wheeled vehicles drive at
+// height 0.
 class SuiteTrials {
  public:
   explicit SuiteTrials(const SuiteConfig& suite);

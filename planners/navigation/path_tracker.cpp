@@ -46,6 +46,7 @@ Aim PathTracker::aim(const Eigen::Vector2d& p_world, double speed_m_s,
   const double target_m = station_m_ + lookahead_m;
   aim.p_target_world = path_.point_at(target_m);
   aim.at_goal = ends_at_goal_ && target_m >= path_.length_m();
+  if (target_m < path_.length_m()) aim.piece = path_.segment_at(target_m);
   aim.speed_limit_m_s =
       corner_speed_limit_m_s(path_, station_m_, max_speed_m_s_, config_.corner_deceleration_m_s2);
   if (ends_at_goal_) {

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <optional>
+
 #include "voronaut/dynamics/path.h"
 #include "voronaut/dynamics/speed_profile.h"
 #include "voronaut/planners/mapping/obstacle_base.h"
@@ -12,6 +14,8 @@ struct Aim {
   Eigen::Vector2d p_target_world = Eigen::Vector2d::Zero();
   double speed_limit_m_s = 0;
   bool at_goal = false;  // the target is the goal itself: come to rest there
+  // The piece of path that holds the target; none at the end of the path.
+  std::optional<PathSegment> piece = std::nullopt;
 };
 
 // Follows a path by projecting the vehicle on what lies ahead of it, never on what is behind: with

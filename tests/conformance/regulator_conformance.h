@@ -102,7 +102,10 @@ TEST_P(RegulatorConformance, AnswersMirroredSetUpsWithMirroredFlights) {
   }
 }
 
-TEST_P(RegulatorConformance, FirstMovesTowardsItsTargetInEveryDirection) {
+// Of those that drive a vehicle which moves in every direction alike.
+class HolonomicRegulatorConformance : public RegulatorConformance {};
+
+TEST_P(HolonomicRegulatorConformance, FirstMovesTowardsItsTargetInEveryDirection) {
   for (int yaw = 0; yaw < 8; ++yaw) {
     for (int bearing = 0; bearing < 8; ++bearing) {
       const Vector2d heading = along(0.785398 * yaw);

@@ -41,6 +41,13 @@ TEST(Catalog, KnowsTheBodies) {
   EXPECT_EQ(vehicle("quadrotor_props").body_radius_m, 0.39);
   EXPECT_EQ(vehicle("quadrotor_props").clearance_min_m, 0.5);
   EXPECT_EQ(vehicle("ideal").body_radius_m, 0.25);
+  EXPECT_EQ(vehicle("cart").body_radius_m, 0.22);
+  EXPECT_EQ(vehicle("cart").limits.max_speed_m_s, 1.25);
+}
+
+TEST(Catalog, KnowsWhatRolls) {
+  for (const std::string& name : vehicle_names())
+    EXPECT_EQ(is_wheeled(vehicle(name)), name == "cart") << name;
 }
 
 TEST(Catalog, ListsTheKnownNamesWhenOneIsUnknown) {
@@ -56,6 +63,11 @@ TEST(Catalog, RefusesARegulatorThatDrivesAnotherModel) {
   EXPECT_THAT(message_of([] { make_regulator(regulator("ideal"), vehicle("quadrotor")); }),
               AllOf(HasSubstr("'ideal'"), HasSubstr("'quadrotor'")));
   EXPECT_THROW(make_regulator(regulator("paper_literal"), vehicle("ideal")), std::invalid_argument);
+  EXPECT_THAT(message_of([] { make_regulator(regulator("pd_rate"), vehicle("cart")); }),
+              AllOf(HasSubstr("'pd_rate'"), HasSubstr("'cart'")));
+  EXPECT_THAT(
+      message_of([] { make_regulator(regulator("position_trajectory"), vehicle("ideal")); }),
+      AllOf(HasSubstr("'position_trajectory'"), HasSubstr("'ideal'")));
 }
 
 TEST(Catalog, GivesTheStoppingLawOfTheGainsAndTheTilt) {

@@ -51,6 +51,15 @@ TEST(Path, OfNoOrOnePointIsEmpty) {
 
 TEST(Path, MeasuresLinesAndArcs) { EXPECT_NEAR(with_bend().length_m(), 2 + pi + 3, 1e-14); }
 
+TEST(Path, KnowsThePieceThatHoldsAStation) {
+  const Path path = with_bend();
+  EXPECT_EQ(path.segment_at(1).end, Vector2d(2, 0));
+  EXPECT_EQ(path.segment_at(2).kind, PathSegment::Kind::arc) << "at a joint the one that starts";
+  EXPECT_EQ(path.segment_at(2.5 + pi).end, Vector2d(4, 5));
+  EXPECT_EQ(path.segment_at(-1).end, Vector2d(2, 0));
+  EXPECT_EQ(path.segment_at(99).end, Vector2d(4, 5));
+}
+
 TEST(Path, GivesPointsAndDirectionsAlongLinesAndArcs) {
   const Path path = with_bend();
   const double half = std::numbers::sqrt2 / 2;

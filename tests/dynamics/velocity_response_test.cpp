@@ -98,5 +98,10 @@ TEST(VelocityResponse, PromisesNoStopForTheUnstableLiteralLaw) {
                std::invalid_argument);
 }
 
+TEST(VelocityResponse, PromisesNoStopForAVehicleThatCannotMoveSideways) {
+  EXPECT_THROW(velocity_response(regulator("position_trajectory"), vehicle("cart")),
+               std::invalid_argument);
+}
+
 }  // namespace
 }  // namespace voronaut

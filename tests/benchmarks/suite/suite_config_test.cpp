@@ -189,8 +189,8 @@ TEST(SuiteConfig, SaysInOneLineWhatIsWrong) {
       {suite_with("vehicles", "[]"),
        "s.yaml:3: key 'vehicles': expected at least one entry, got none"},
       {suite_with("vehicles", "[quadrotr]"),
-       "s.yaml:3: key 'vehicles[0]': no vehicle 'quadrotr' (allowed: ideal, quadrotor, "
-       "quadrotor_props; did you mean 'quadrotor'?)"},
+       "s.yaml:3: key 'vehicles[0]': no vehicle 'quadrotr' (allowed: cart, ideal, "
+       "quadrotor, quadrotor_props; did you mean 'quadrotor'?)"},
       {suite_with("vehicles", "[quadrotor, quadrotor]"),
        "s.yaml:3: key 'vehicles[1]': the name 'quadrotor' is taken (line 3); give this one a "
        "label"},
@@ -207,7 +207,7 @@ TEST(SuiteConfig, SaysInOneLineWhatIsWrong) {
        "vehicle 'quadrotor' is not"},
       {suite_with("vehicles", "[{name: quadrotor, regulator: pid}]"),
        "s.yaml:3: key 'vehicles[0].regulator': no regulator 'pid' (allowed: ideal, paper_literal, "
-       "pd_rate)"},
+       "pd_rate, position_trajectory)"},
       {suite_with("planners", "[RRTConect]"),
        "s.yaml:4: key 'planners[0]': no planner 'RRTConect' (allowed: " +
            join_names(planner_names()) + "; did you mean 'RRTConnect'?)"},
@@ -269,6 +269,32 @@ TEST(SuiteConfig, SaysInOneLineWhatIsWrong) {
     EXPECT_EQ(error, message) << text;
     EXPECT_EQ(error.find('\n'), std::string::npos);
   }
+}
+
+TEST(SuiteConfig, AsksACartOnlyForWhatItCanDo) {
+  const auto with_cart = [](const std::string& planners, const std::string& rest) {
+    return "suite: s\nscenarios: [{name: a, generator: {name: forest}}]\n"
+           "vehicles: [quadrotor, {name: cart, label: trolley}]\nplanners: " +
+           planners + "\n" + rest;
+  };
+  const std::string gaze =
+      "navigation.gaze 'fixed' is not for vehicle 'trolley', which looks where it drives (allowed: "
+      "path)";
+  const std::string governor =
+      "the governor proves no stop for vehicle 'trolley', which cannot move sideways (allowed: "
+      "false)";
+  const std::string own = "[RRTConnect, {name: RRTConnect, label: b, navigation: {";
+  EXPECT_EQ(error_of(with_cart("[RRTConnect]", "navigation: {gaze: path}")), "no error");
+  EXPECT_EQ(error_of(with_cart("[RRTConnect]", "kind: known")), "no error") << "nobody moves";
+  EXPECT_EQ(error_of(with_cart("[RRTConnect]", "")), "s.yaml:4: key 'planners[0]': " + gaze);
+  EXPECT_EQ(error_of(with_cart("[RRTConnect]", "navigation: {gaze: fixed}")),
+            "s.yaml:5: key 'navigation.gaze': " + gaze);
+  EXPECT_EQ(error_of(with_cart("[RRTConnect]", "navigation: {gaze: path, governor: true}")),
+            "s.yaml:5: key 'navigation.governor': " + governor);
+  EXPECT_EQ(error_of(with_cart(own + "governor: true}}]", "navigation: {gaze: path}")),
+            "s.yaml:4: key 'planners[1].navigation.governor': " + governor);
+  EXPECT_EQ(error_of(with_cart(own + "gaze: fixed}}]", "navigation: {gaze: path}")),
+            "s.yaml:4: key 'planners[1].navigation.gaze': " + gaze);
 }
 
 TEST(SuiteConfig, KeepsThePlannersThatWereAskedForAndNamesTheOthers) {

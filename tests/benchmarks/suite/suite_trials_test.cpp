@@ -40,6 +40,17 @@ TEST(SuiteTrials, GiveEveryPlannerTheSameWorldAndItsOwnSeed) {
   EXPECT_NE(worlds.at({"wood", 0}), worlds.at({"wood", 2})) << "a random one is drawn anew";
 }
 
+TEST(SuiteTrials, LeaveACartOnTheGround) {
+  SuiteConfig suite = small_suite("s", {"a"});
+  VehicleEntry cart = suite.vehicles.front();
+  cart.vehicle = vehicle("cart");
+  suite.vehicles.push_back(cart);
+  for (const TrialSpec& trial : all_trials(suite)) {
+    EXPECT_EQ(trial.scenario.cruise_height_m, trial.vehicle.name == "cart" ? 0 : 1);
+    EXPECT_EQ(trial.scenario.start_height_m, 0);
+  }
+}
+
 TEST(SuiteTrials, DoNotChangeWhenOtherPlannersOrRepetitionsJoin) {
   std::set<std::string> many;
   for (const TrialSpec& trial : all_trials(small_suite("s", {"b", "a", "c"}, 3)))

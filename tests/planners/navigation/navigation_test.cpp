@@ -42,6 +42,30 @@ TEST(PathTracker, BrakesForTheGoalAndNotForTheEndOfALeg) {
   EXPECT_FALSE(leg.aim(Vec2(0, 0), 2.5, kNothing, 0.4).at_goal);
 }
 
+TEST(PathTracker, HandsOverThePieceThatHoldsItsTargetButNoneAtTheEnd) {
+  Path path = Path::through({Vec2(0, 0), Vec2(2, 0)});
+  path.append({.kind = PathSegment::Kind::arc,
+               .start = Vec2(2, 0),
+               .end = Vec2(3, 1),
+               .center = Vec2(2, 1)});
+  PathTracker tracker({}, SpeedProfile{}, kMaxSpeed_m_s);
+  tracker.follow(path, true);
+  const auto piece_at = [&](double station_m, double speed_m_s) {
+    tracker.advance(path.point_at(station_m));
+    return tracker.aim(path.point_at(station_m), speed_m_s, kNothing, 0.4).piece;
+  };
+  const auto line = piece_at(1.5, 0);
+  ASSERT_TRUE(line);
+  EXPECT_EQ(line->end, Vec2(2, 0));
+  const auto arc = piece_at(1.5, 1);
+  ASSERT_TRUE(arc);
+  EXPECT_EQ(arc->kind, PathSegment::Kind::arc) << "0.6 m ahead is past the joint";
+  EXPECT_TRUE(piece_at(2.4, 0));
+  EXPECT_FALSE(piece_at(3.4, 0));
+  tracker.drop();
+  EXPECT_FALSE(tracker.aim(Vec2(0, 0), 0, kNothing, 0.4).piece);
+}
+
 TEST(PathTracker, SlowsDownBeforeASharpCorner) {
   const Path bent = Path::through({Vec2(0, 0), Vec2(4, 0), Vec2(0, 0.1)});
   const Path straight = Path::through({Vec2(0, 0), Vec2(4, 0), Vec2(8, 0)});

@@ -1,0 +1,85 @@
+#include <algorithm>
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "voronaut/benchmarks/episode/episode.h"
+#include "voronaut/benchmarks/suite/shortest_references.h"
+#include "voronaut/benchmarks/suite/suite_trials.h"
+#include "voronaut/environments/config/config_node.h"
+#include "voronaut/environments/world.h"
+
+// What the executive does for a vehicle that looks where it drives.
+namespace voronaut {
+namespace {
+
+TrialSpec cart_trial(const std::string& scenario, const std::string& navigation) {
+  static const PlannerCatalog planners = PlannerCatalog::built_in();
+  const SuiteConfig suite =
+      read_suite(ConfigNode::parse("suite: s\nscenarios: [{name: a, " + scenario +
+                                       "}]\nvehicles: [cart]\nplanners: [VoronoiRoadmap]\n"
+                                       "navigation: {gaze: path, " +
+                                       navigation + "}\n",
+                                   "s.yaml"),
+                 "", planners);
+  TrialSpec spec = SuiteTrials(suite).next()->spec;
+  ShortestReferences::exact().add_to(spec);
+  return spec;
+}
+
+TEST(CartDrive, LooksAroundOnTheSpotAndThenLooksWhereItDrives) {
+  const TrialSpec spec = cart_trial("generator: {name: u_trap}",
+                                    "look_around: true, recovery: true, "
+                                    "speed_rule: stopping_distance");
+  Flight flight(spec, PlannerCatalog::built_in(), false);
+  const EpisodeLog log = fly(flight);
+  EXPECT_EQ(log.verdict.outcome, Outcome::goal_reached) << log.verdict.reason;
+  EXPECT_GT(log.departure_s, 2);
+  double backwards_m_s = 0;
+  for (const Tick& tick : log.ticks) {
+    const Vec2 p = tick.state.p_world.head<2>();
+    const Vec2 v = tick.state.v_world.head<2>();
+    if (tick.t_s < log.departure_s) {
+      EXPECT_LT((p - spec.scenario.start_world).norm(), 0.02);
+    }
+    EXPECT_LT(std::abs(cross(tick.state.heading_world(), v)), 1e-12);
+    EXPECT_EQ(tick.state.p_world.z(), 0);
+    backwards_m_s = std::min(backwards_m_s, tick.state.heading_world().dot(v));
+  }
+  EXPECT_GT(backwards_m_s, -0.05);
+}
+
+TEST(CartDrive, BacksOffByTurningRoundAndDrivingAway) {
+  const TrialSpec spec = cart_trial(
+      "world: {circles: [[1.3, 0, 1]]}, bounds: [[-5, -5], [9, 5]], start: [0, 0], goal: [5, 0]",
+      "recovery: true");
+  Flight flight(spec, PlannerCatalog::built_in(), false);
+  VehicleState state = flight.model->at_rest({0, 0, 0}, {1, 0});
+  flight.regulator->reset(state);
+  flight.log.ticks.push_back({0, state, 0});
+  flight.sense(state, 0);
+  flight.update_map();
+  flight.departed = true;
+  flight.back_off_until_s = 4;
+  Command applied = flight.model->hold();
+  double nearest_m = 0.3;
+  for (int i = 0; i < 400; ++i) {
+    const Setpoint setpoint = flight.navigate(state, 0.01 * i);
+    const Command next = flight.regulator->regulate(setpoint, state);
+    state = flight.model->step(state, applied, 0.01);
+    applied = next;
+    nearest_m = std::min(nearest_m, spec.scenario.world->clearance_m(state.p_world.head<2>()));
+  }
+  EXPECT_EQ(flight.executive, ExecutiveState::backing_off);
+  EXPECT_GT(nearest_m, 0.28) << "it turns on the spot before it drives";
+  EXPECT_GT(spec.scenario.world->clearance_m(state.p_world.head<2>()), 0.4);
+}
+
+TEST(CartDrive, IsNotGoverned) {
+  TrialSpec spec = cart_trial("generator: {name: u_trap}", "recovery: true");
+  spec.navigation.governor = true;  // what no suite can ask for
+  EXPECT_THROW(Flight(spec, PlannerCatalog::built_in(), false), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace voronaut
