@@ -138,6 +138,34 @@ TEST(PositionTrajectory, ObeysItsReferenceErrorDynamics) {
   EXPECT_LT(std::abs(control_point(s).y()), 1e-3);
 }
 
+// While it comes onto a circle, its speed around it stays what it was told: the two are decoupled.
+TEST(PositionTrajectory, HoldsItsSpeedAroundAnArcWhileItIsStillOffIt) {
+  const double v = 0.5, radius_m = 1;
+  VehicleState start = at_rest({1.15, -kAhead_m}, {0, 1});  // P at (1.15, 0)
+  start.v_world.y() = v;
+  const CartConfig config;
+  const Cart model(config);
+  PositionTrajectory regulator({}, config, vehicle("cart").limits);
+  regulator.reset(start);
+  const Setpoint setpoint = follow(circle(radius_m, true), v);
+  VehicleState s = start;
+  Command pending = regulator.regulate(setpoint, s);
+  double worst_m_s = 0, inwards_m_s = 0;
+  for (int i = 0; i < 300; ++i) {
+    const Vector2d out = control_point(s).normalized();
+    const Vector2d left(-s.heading_world().y(), s.heading_world().x());
+    const Vector2d velocity = s.v_world.head<2>() + kAhead_m * s.w_body.z() * left;
+    worst_m_s = std::max(worst_m_s, std::abs(velocity.dot(Vector2d(-out.y(), out.x())) - v));
+    inwards_m_s = std::max(inwards_m_s, -velocity.dot(out));
+    const Command next = regulator.regulate(setpoint, s);
+    s = model.step(s, pending, kPeriod_s);
+    pending = next;
+  }
+  EXPECT_GT(inwards_m_s, 0.05);
+  EXPECT_LT(worst_m_s, 0.008);
+  EXPECT_NEAR(control_point(s).norm(), radius_m, 0.01);
+}
+
 TEST(PositionTrajectory, ComesToRestOnAPointWithItsAxle) {
   const auto states = drive(at_rest({0, 0}, {1, 0}), 15, rest_at({3, 2}, 1));
   const auto off_m = [](const VehicleState& s) {
