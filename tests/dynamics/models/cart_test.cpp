@@ -18,7 +18,8 @@ CartConfig without_dry_friction() {
 
 double speed_m_s(const VehicleState& s) { return s.heading_world().dot(s.v_world.head<2>()); }
 
-double kinetic_energy_J(const CartCoefficients& c, const VehicleState& s) {
+// [J]
+double kinetic_energy(const CartCoefficients& c, const VehicleState& s) {
   const double v = speed_m_s(s);
   const double w = s.w_body.z();
   return 0.5 * (c.mass_kg * v * v + c.inertia_kg_m2 * w * w);
@@ -58,7 +59,7 @@ TEST(Cart, KeepsItsEnergyWithoutMotorsAndSwingsItsWeightToTheFront) {  // V11
   EXPECT_NEAR(speed_m_s(end), 0.51605113, 1e-8);
   EXPECT_NEAR(end.w_body.z(), 0.00101132, 1e-8);
   const CartCoefficients c(config);
-  EXPECT_NEAR(kinetic_energy_J(c, end) / kinetic_energy_J(c, start), 1, 1e-10);
+  EXPECT_NEAR(kinetic_energy(c, end) / kinetic_energy(c, start), 1, 1e-10);
 }
 
 struct Drive {
@@ -117,7 +118,7 @@ TEST(Cart, GainsTheEnergyThatItsWheelsGiveIt) {
     work_J += period_s / 6 * (power_W(s) + 4 * power_W(middle) + power_W(next));
     s = next;
   }
-  EXPECT_NEAR(work_J, kinetic_energy_J(c, s), 1e-7);
+  EXPECT_NEAR(work_J, kinetic_energy(c, s), 1e-7);
   EXPECT_GT(work_J, 0.5);
 }
 

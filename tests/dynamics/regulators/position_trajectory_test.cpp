@@ -71,8 +71,8 @@ double settled_s(const std::vector<VehicleState>& states, double bound, const Er
   return since_s < static_cast<double>(states.size()) * kPeriod_s ? since_s : kNever_s;
 }
 
-// The tables' times are of a simulation whose control point starts where the axle does here: within
-// 4 %.
+// Times to settle here and below are an independent simulation's; where its control point starts is
+// not known: within 0.1 s.
 TEST(PositionTrajectory, ComesOntoALineWithoutOvershoot) {
   for (const double side : {1.0, -1.0}) {
     const auto states = drive(at_rest({0, side}, {1, 0}), 12, follow(line({0, 0}, {50, 0}), 1));
@@ -171,7 +171,7 @@ TEST(PositionTrajectory, ComesToRestOnAPointWithItsAxle) {
   const auto off_m = [](const VehicleState& s) {
     return (s.p_world.head<2>() - Vector2d(3, 2)).norm();
   };
-  // The table has 5.85 s for a control point that starts 0.15 m nearer and stops on the target.
+  // The independent simulation stops its control point there, not its axle, and takes 5.85 s.
   EXPECT_NEAR(settled_s(states, 0.02, off_m), 6.20, 0.05);
   EXPECT_LT(off_m(states.back()), 1e-5);
   for (const VehicleState& s : states)
