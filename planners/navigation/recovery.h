@@ -20,7 +20,7 @@ enum class ExecutiveState {
 std::string_view to_string(ExecutiveState state);
 
 // What recovery sees of the executive, once per scan.
-struct Progress {
+struct Headway {
   double now_s = 0;
   Vec2 p_world = Vec2::Zero();
   double speed_m_s = 0;
@@ -47,13 +47,13 @@ class RecoveryPolicy {
  public:
   explicit RecoveryPolicy(double stall_timeout_s) : stall_timeout_s_(stall_timeout_s) {}
 
-  RecoveryAction advise(const Progress& progress);
+  RecoveryAction advise(const Headway& headway);
 
   // A manoeuvre is over: what stood still for its sake was no stall.
   void resume() { standing_since_s_.reset(); }
 
  private:
-  RecoveryAction next_step(const Progress& progress);
+  RecoveryAction next_step(const Headway& headway);
 
   double stall_timeout_s_;
   std::optional<double> standing_since_s_;

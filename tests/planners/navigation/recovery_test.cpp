@@ -14,11 +14,11 @@ namespace {
 constexpr double kTimeout_s = 1.5;
 
 // The next action other than none, of a vehicle that stands at p.
-RecoveryAction next_action(RecoveryPolicy& policy, double& now_s, Progress progress) {
+RecoveryAction next_action(RecoveryPolicy& policy, double& now_s, Headway headway) {
   for (int scan = 0; scan < 100; ++scan) {
     now_s += 0.05;
-    progress.now_s = now_s;
-    const RecoveryAction action = policy.advise(progress);
+    headway.now_s = now_s;
+    const RecoveryAction action = policy.advise(headway);
     if (action != RecoveryAction::none) return action;
   }
   return RecoveryAction::none;
@@ -27,7 +27,7 @@ RecoveryAction next_action(RecoveryPolicy& policy, double& now_s, Progress progr
 TEST(RecoveryPolicy, GoesFromTheMildestStepToTheHarshest) {
   RecoveryPolicy policy(kTimeout_s);
   double now_s = 0;
-  Progress stalled;
+  Headway stalled;
   stalled.wants_to_move = true;
   stalled.too_close = true;
   EXPECT_EQ(next_action(policy, now_s, stalled), RecoveryAction::back_off);
@@ -40,7 +40,7 @@ TEST(RecoveryPolicy, GoesFromTheMildestStepToTheHarshest) {
 TEST(RecoveryPolicy, BeginsANewRoundWithoutTheVirtualObstaclesOfTheLast) {
   RecoveryPolicy policy(kTimeout_s);
   double now_s = 0;
-  Progress stalled;
+  Headway stalled;
   stalled.wants_to_move = true;
   stalled.too_close = true;
   for (int step = 0; step < 4; ++step) next_action(policy, now_s, stalled);
@@ -53,7 +53,7 @@ TEST(RecoveryPolicy, BeginsANewRoundWithoutTheVirtualObstaclesOfTheLast) {
 TEST(RecoveryPolicy, LooksBeforeItBacksOffFromWhatIsUnknown) {
   RecoveryPolicy policy(kTimeout_s);
   double now_s = 0;
-  Progress stalled;
+  Headway stalled;
   stalled.wants_to_move = true;
   stalled.hemmed_in = true;
   EXPECT_EQ(next_action(policy, now_s, stalled), RecoveryAction::look_around);
@@ -65,7 +65,7 @@ TEST(RecoveryPolicy, LooksBeforeItBacksOffFromWhatIsUnknown) {
 TEST(RecoveryPolicy, LetsAVehicleThatMovesAlone) {
   RecoveryPolicy policy(kTimeout_s);
   double now_s = 0;
-  Progress moving;
+  Headway moving;
   moving.wants_to_move = true;
   moving.speed_m_s = 0.5;
   EXPECT_EQ(next_action(policy, now_s, moving), RecoveryAction::none);
@@ -74,7 +74,7 @@ TEST(RecoveryPolicy, LetsAVehicleThatMovesAlone) {
 TEST(RecoveryPolicy, StartsAnewOnceItHasGotAway) {
   RecoveryPolicy policy(kTimeout_s);
   double now_s = 0;
-  Progress stalled;
+  Headway stalled;
   stalled.wants_to_move = true;
   EXPECT_EQ(next_action(policy, now_s, stalled), RecoveryAction::look_around);
   EXPECT_EQ(next_action(policy, now_s, stalled), RecoveryAction::look_around);
@@ -85,7 +85,7 @@ TEST(RecoveryPolicy, StartsAnewOnceItHasGotAway) {
 TEST(RecoveryPolicy, DropsVirtualObstaclesWhenPlanningFailsWithThemButNotForEver) {
   RecoveryPolicy policy(kTimeout_s);
   double now_s = 0;
-  Progress without_path;
+  Headway without_path;
   without_path.virtual_in_force = true;
   for (int i = 0; i < 3; ++i)
     EXPECT_EQ(next_action(policy, now_s, without_path), RecoveryAction::drop_virtual_obstacles);
@@ -95,7 +95,7 @@ TEST(RecoveryPolicy, DropsVirtualObstaclesWhenPlanningFailsWithThemButNotForEver
 TEST(RecoveryPolicy, GoesBackFromWhatIsTooCloseWhereNoPathIsFound) {
   RecoveryPolicy policy(kTimeout_s);
   double now_s = 0;
-  Progress without_path;
+  Headway without_path;
   without_path.too_close = true;
   EXPECT_EQ(next_action(policy, now_s, without_path), RecoveryAction::back_off);
   EXPECT_EQ(next_action(policy, now_s, without_path), RecoveryAction::look_around);
