@@ -22,12 +22,6 @@ function searchAt(trace: Trace, k: number): string {
     ? `kept to ${trace.kept_searches} of ${trace.searches}` : "\u2013";
 }
 
-function plannedAgainAt(trace: Trace, k: number): string {
-  const reason = trace.replan_reasons[trace.frames.replan[k]];
-  const end = trace.solve_ends[trace.frames.solve_end[k]];
-  return reason && end ? `${wordsOf(reason)}, ended by ${wordsOf(end)}` : "no";
-}
-
 export function isGoverned(trace: Trace): boolean {
   return trace.frames.tube.some((tube) => tube.length > 0);
 }
@@ -44,7 +38,8 @@ export function factsAt(trace: Trace, k: number): [name: string, value: string][
     ["planning", `${fixed(f.planning_time_us[k], 0)} \u00B5s`],
   ];
   if (trace.searches > 0) {
-    facts.push(["search", searchAt(trace, k)], ["planned again", plannedAgainAt(trace, k)]);
+    facts.push(["search", searchAt(trace, k)], ["planned again", wordsOf(trace.replan_reasons[f.replan[k]] ?? "no")],
+      ["solve ended by", wordsOf(trace.solve_ends[f.solve_end[k]] ?? "\u2013")]);
   }
   if (isGoverned(trace)) facts.push(["governor", governorAt(trace, k)]);
   return facts;
