@@ -54,8 +54,6 @@ std::string_view to_text(Reproducible reproducible) {
       return "unknown";
     case Reproducible::no:
       return "no";
-    case Reproducible::one_machine:
-      return "one machine";
     case Reproducible::everywhere:
       break;
   }

@@ -11,9 +11,8 @@ namespace voronaut {
 
 // Whether the same seed and the same counted budget give the same path, bit for bit.
 enum class Reproducible {
-  unknown,      // nobody has said so
-  no,           // threads, clocks, or it was seen to differ
-  one_machine,  // on one machine; the C library's pow, log, sin decide too and differ by CPU
+  unknown,  // nobody has said so
+  no,       // threads, clocks, or it was seen to differ
   everywhere,
 };
 

@@ -35,7 +35,7 @@ class LengthInSteps : public ob::PathLengthOptimizationObjective {
 };
 
 // AITstar of 1.5.2 asserts that no state becomes cheaper once it was expanded, which sums of
-// rounded lengths break by their last bit: in an empty square every second solve aborted.
+// rounded lengths break by their last bit: where the straight way was free most solves aborted.
 class ExactlySumming : public og::AITstar {
  public:
   using AITstar::AITstar;

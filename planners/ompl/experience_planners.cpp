@@ -1,5 +1,4 @@
 #include <memory>
-#include <utility>
 
 #include <ompl/geometric/planners/experience/LightningRetrieveRepair.h>
 #include <ompl/geometric/planners/experience/ThunderRetrieveRepair.h>
@@ -68,8 +67,10 @@ class FromExperience : public Recall {
   }
 
   void remember(const ob::PlannerStatus& solved) const {
-    if (solved == ob::PlannerStatus::EXACT_SOLUTION)
-      memory_.add(*this->pdef_->getSolutionPath()->template as<og::PathGeometric>());
+    if (solved != ob::PlannerStatus::EXACT_SOLUTION) return;
+    double seconds = 0;
+    memory_.database().addPath(*this->pdef_->getSolutionPath()->template as<og::PathGeometric>(),
+                               seconds);
   }
 
   Memory memory_;
@@ -90,10 +91,7 @@ class Paths {
   void tell(const og::LightningRetrieveRepair& planner, ob::PlannerData& data) const {
     planner.LightningRetrieveRepair::getPlannerData(data);
   }
-  void add(og::PathGeometric& path) const {
-    double seconds = 0;
-    paths_->addPath(path, seconds);
-  }
+  ompl::tools::LightningDB& database() const { return *paths_; }
 
  private:
   ompl::tools::LightningDBPtr paths_;
@@ -127,10 +125,7 @@ class SparseRoadmap {
   void tell(const og::ThunderRetrieveRepair&, ob::PlannerData& data) const {
     roadmap_->getPlannerData(data);
   }
-  void add(og::PathGeometric& path) const {
-    double seconds = 0;
-    paths_->addPath(path, seconds);
-  }
+  ompl::tools::ThunderDB& database() const { return *paths_; }
 
  private:
   ompl::tools::SPARSdbPtr roadmap_;
