@@ -17,7 +17,8 @@ ExitCode execute(const SummaryOptions& options, const CommandContext& context) {
 }
 
 ExitCode execute(const DigestOptions& options, const CommandContext& context) {
-  context.out << digest(OutputFolder::open(options.folder).store().records()) << "\n";
+  const auto records = OutputFolder::open(options.folder).store().records();
+  context.out << (options.flights ? flights_digest(records) : digest(records)) << "\n";
   return ExitCode::success;
 }
 

@@ -58,6 +58,8 @@ struct Commands {
     add_replay(app);
     digest_command = add_command(app, "digest", "Print a hash of every deterministic result");
     add_folder(digest_command, digest.folder);
+    digest_command->add_flag("--flights", digest.flights,
+                             "Of what was flown alone: no ids, names of keys, modes, reasons");
     add_report(app);
     evidence_command = add_command(app, "evidence", "Hold the claims of suites against results");
     evidence_command->add_option("DIR", evidence.folders, "Folders of results")->required();

@@ -46,6 +46,7 @@ struct ReplayOptions {
 
 struct DigestOptions {
   std::string folder;
+  bool flights = false;
 };
 
 struct ReportOptions {

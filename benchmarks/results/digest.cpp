@@ -1,8 +1,10 @@
 #include "voronaut/benchmarks/results/digest.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <sstream>
+#include <tuple>
 #include <type_traits>
 
 #include "voronaut/benchmarks/results/sha256.h"
@@ -44,6 +46,38 @@ std::string difference_text(const RunRecord& stored, const RunRecord& flown) {
 std::string digest(const std::vector<RunRecord>& records) {
   std::string text;
   for (const RunRecord& record : records) text += deterministic_text(record) + "\n";
+  return sha256_hex(text);
+}
+
+namespace {
+
+auto place_of(const RunRecord& r) {
+  return std::tie(r.scenario, r.vehicle, r.planner, r.repetition);
+}
+
+std::string flight_text(const RunRecord& r) {
+  std::string text = r.scenario + "\n" + r.vehicle + "\n" + r.planner + "\n" +
+                     std::to_string(r.repetition) + "\n" + std::string(to_string(r.outcome));
+  for (const double number :
+       {r.duration_s, r.path_length_m, r.shortest_length_m, r.shortest_at_clearance_m, r.path_ratio,
+        r.spl, r.clearance_min_m, r.clearance_mean_m, r.speed_mean_m_s, r.speed_max_m_s, r.end_x_m,
+        r.end_y_m})
+    text += "\n" + (std::isnan(number) ? std::string() : number_text(number));
+  for (const std::int64_t count :
+       {r.replans, r.state_checks, r.budget_stops, r.map_points, r.map_obstacles})
+    text += "\n" + std::to_string(count);
+  return text + "\n" + r.state_digest + "\n";
+}
+
+}  // namespace
+
+std::string flights_digest(const std::vector<RunRecord>& records) {
+  std::vector<const RunRecord*> ordered;
+  for (const RunRecord& record : records) ordered.push_back(&record);
+  std::sort(ordered.begin(), ordered.end(),
+            [](const RunRecord* a, const RunRecord* b) { return place_of(*a) < place_of(*b); });
+  std::string text;
+  for (const RunRecord* record : ordered) text += flight_text(*record);
   return sha256_hex(text);
 }
 
