@@ -3,7 +3,7 @@
 #include <ostream>
 
 #include "voronaut/benchmarks/cli/commands.h"
-#include "voronaut/benchmarks/runner/child_process.h"
+#include "voronaut/benchmarks/isolation/child_process.h"
 #include "voronaut/benchmarks/suite/shipped_files.h"
 #include "voronaut/benchmarks/suite/suite_config.h"
 #include "voronaut/benchmarks/suite/suite_trials.h"

@@ -3,9 +3,9 @@
 #include <stdexcept>
 
 #include "voronaut/benchmarks/cli/commands.h"
-#include "voronaut/benchmarks/micro/mapped_logs.h"
+#include "voronaut/benchmarks/results/mapped_logs.h"
 #include "voronaut/benchmarks/results/output_folder.h"
-#include "voronaut/environments/scenario.h"
+#include "voronaut/environments/scenario/scenario_spec.h"
 #include "voronaut/reports/page/html_report.h"
 #include "voronaut/reports/page/mapping_report.h"
 #include "voronaut/reports/store/atomic_file.h"

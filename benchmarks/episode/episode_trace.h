@@ -1,7 +1,7 @@
 #pragma once
 
 #include "voronaut/benchmarks/episode/episode_log.h"
-#include "voronaut/benchmarks/suite/trial.h"
+#include "voronaut/benchmarks/trial/trial.h"
 
 namespace voronaut {
 

@@ -1,9 +1,9 @@
 #include "voronaut/benchmarks/results/manifest.h"
 
 #include "voronaut/benchmarks/results/build_info.h"
-#include "voronaut/benchmarks/results/sha256.h"
-#include "voronaut/benchmarks/suite/budget_config.h"
 #include "voronaut/benchmarks/suite/config_json.h"
+#include "voronaut/benchmarks/trial/budget_config.h"
+#include "voronaut/benchmarks/trial/sha256.h"
 
 namespace voronaut {
 

@@ -5,7 +5,7 @@
 #include <map>
 #include <stdexcept>
 
-#include "voronaut/benchmarks/suite/budget_config.h"
+#include "voronaut/benchmarks/trial/budget_config.h"
 #include "voronaut/environments/config/config_reader.h"
 #include "voronaut/environments/config/nearest_name.h"
 

@@ -4,12 +4,12 @@
 #include <string>
 #include <vector>
 
-#include "voronaut/benchmarks/episode/loop_config.h"
-#include "voronaut/benchmarks/runner/child_process.h"
+#include "voronaut/benchmarks/isolation/child_process.h"
 #include "voronaut/benchmarks/suite/claim.h"
-#include "voronaut/benchmarks/suite/trial.h"
+#include "voronaut/benchmarks/trial/loop_config.h"
+#include "voronaut/benchmarks/trial/trial.h"
 #include "voronaut/environments/config/config_node.h"
-#include "voronaut/environments/scenario.h"
+#include "voronaut/environments/scenario/scenario_spec.h"
 #include "voronaut/environments/sensing/range_finder.h"
 #include "voronaut/planners/catalog/catalog.h"
 

@@ -4,8 +4,8 @@
 
 #include "voronaut/planners/mapping/obstacle_base.h"
 #include "voronaut/planners/potential_field/potential.h"
-#include "voronaut/planners/travel/ray_range.h"
-#include "voronaut/planners/travel/travel.h"
+#include "voronaut/planners/rollout/ray_range.h"
+#include "voronaut/planners/rollout/rollout.h"
 
 namespace voronaut {
 

@@ -3,7 +3,7 @@
 #include <memory>
 
 #include "voronaut/planners/potential_field/descent.h"
-#include "voronaut/planners/travel/travel_planner.h"
+#include "voronaut/planners/rollout/rollout_planner.h"
 
 namespace voronaut {
 

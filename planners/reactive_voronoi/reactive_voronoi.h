@@ -11,7 +11,7 @@
 #include "voronaut/planners/problem/known_geometry.h"
 #include "voronaut/planners/reactive_voronoi/mission.h"
 #include "voronaut/planners/reactive_voronoi/reactive_voronoi_config.h"
-#include "voronaut/planners/travel/travel_planner.h"
+#include "voronaut/planners/rollout/rollout_planner.h"
 
 namespace voronaut {
 

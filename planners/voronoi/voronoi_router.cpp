@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "voronaut/planners/voronoi/free_places.h"
-#include "voronaut/planners/voronoi/taut_path.h"
+#include "voronaut/planners/voronoi/string_pulling.h"
 
 namespace voronaut {
 namespace {

@@ -6,7 +6,7 @@
 #include <string_view>
 #include <type_traits>
 
-#include "voronaut/reports/summary/column_text.h"
+#include "voronaut/reports/encoding/column_text.h"
 
 namespace voronaut {
 namespace {

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "voronaut/benchmarks/suite/trial.h"
+#include "voronaut/benchmarks/trial/trial.h"
 #include "voronaut/environments/config/config_node.h"
 
 // One set of random scenes like the paper's, turned to each bearing: what the repaired planner does
