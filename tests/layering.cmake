@@ -1,8 +1,14 @@
-# Floors of the house, held against the #include lines: cmake -DSOURCE_DIR=... -P layering.cmake
+# Floors and rooms of the house, held against the #include lines: cmake -DSOURCE_DIR=... -P layering.cmake
 #
 #   floor 3  benchmarks                      sees all
 #   floor 2  planners                        sees what a sensor and a path are, nothing of the truth
 #   floor 1  environments dynamics reports   never each other
+#
+# A folder is a room. Directly in one of the five folders each file is a room of its own, its .h
+# and .cpp together: what all of the folder stands on (dynamics/state.h) and its catalogue
+# (dynamics/catalog.h) both live there. The includes between rooms form no circle.
+
+cmake_minimum_required(VERSION 3.22)
 
 set(allowed_environments "environments/")
 set(allowed_dynamics "dynamics/")
@@ -14,14 +20,27 @@ set(allowed_planners
   "dynamics/(state|path|limits|stopping|speed_profile|heading|velocity_response)[.]h")
 set(allowed_benchmarks "benchmarks/" "planners/" "environments/" "dynamics/" "reports/")
 
+# The room of a file that is given relative to the source root.
+function(room_of path result)
+  get_filename_component(folder "${path}" DIRECTORY)
+  if(NOT folder MATCHES "/")
+    string(REGEX REPLACE "[.][a-z]+$" "" folder "${path}")
+  endif()
+  set(${result} "${folder}" PARENT_SCOPE)
+endfunction()
+
 set(broken "")
 set(read 0)
+set(rooms "")
 foreach(folder environments dynamics reports planners benchmarks)
   file(GLOB_RECURSE sources "${SOURCE_DIR}/${folder}/*.h" "${SOURCE_DIR}/${folder}/*.cpp")
   # Examples are other people's programs: their own headers stand beside them.
   list(FILTER sources EXCLUDE REGEX "/benchmarks/examples/")
   foreach(source IN LISTS sources)
     math(EXPR read "${read} + 1")
+    file(RELATIVE_PATH name "${SOURCE_DIR}" "${source}")
+    room_of("${name}" room)
+    list(APPEND rooms "${room}")
     file(STRINGS "${source}" includes REGEX "^#include \"")
     foreach(line IN LISTS includes)
       string(REGEX REPLACE "^#include \"([^\"]*)\".*" "\\1" path "${line}")
@@ -32,8 +51,13 @@ foreach(folder environments dynamics reports planners benchmarks)
         endif()
       endforeach()
       if(NOT fine)
-        file(RELATIVE_PATH name "${SOURCE_DIR}" "${source}")
         list(APPEND broken "${name} includes ${path}")
+      endif()
+      string(REGEX REPLACE "^voronaut/" "" path "${path}")
+      room_of("${path}" other)
+      if(NOT other STREQUAL room)
+        list(APPEND "sees_${room}" "${other}")
+        list(APPEND "from_${room}_to_${other}" "${name} includes ${path}")
       endif()
     endforeach()
   endforeach()
@@ -46,4 +70,42 @@ if(broken)
   list(JOIN broken "\n  " text)
   message(FATAL_ERROR "includes that the floors do not allow:\n  ${text}")
 endif()
-message(STATUS "${read} files keep to their floors")
+
+# A room that sees none of those still there can leave, and so can one that none of them sees. Who
+# stays stands in a circle, or between two.
+list(REMOVE_DUPLICATES rooms)
+set(staying "${rooms}")
+set(left TRUE)
+while(left)
+  set(left FALSE)
+  set(seen "")
+  foreach(room IN LISTS staying)
+    list(APPEND seen ${sees_${room}})
+  endforeach()
+  foreach(room IN LISTS staying)
+    set(sees_staying FALSE)
+    foreach(other IN LISTS "sees_${room}")
+      if(other IN_LIST staying)
+        set(sees_staying TRUE)
+        break()
+      endif()
+    endforeach()
+    if(NOT sees_staying OR NOT room IN_LIST seen)
+      list(REMOVE_ITEM staying "${room}")
+      set(left TRUE)
+    endif()
+  endforeach()
+endwhile()
+if(staying)
+  set(text "")
+  foreach(room IN LISTS staying)
+    foreach(other IN LISTS staying)
+      foreach(line IN LISTS "from_${room}_to_${other}")
+        string(APPEND text "\n  ${line}")
+      endforeach()
+    endforeach()
+  endforeach()
+  message(FATAL_ERROR "folders that include each other:${text}")
+endif()
+list(LENGTH rooms count)
+message(STATUS "${read} files keep to their floors, ${count} rooms form no circle")

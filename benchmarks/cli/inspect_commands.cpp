@@ -10,6 +10,7 @@
 #include "voronaut/environments/formats/data_sets.h"
 #include "voronaut/environments/formats/foreign_formats.h"
 #include "voronaut/environments/generators/world_generators.h"
+#include "voronaut/environments/scenario_files/scenario_reader.h"
 #include "voronaut/planners/problem/problem.h"
 #include "voronaut/reports/summary/text_table.h"
 

@@ -1,13 +1,12 @@
+#include "voronaut/benchmarks/episode/flown_trial.h"
+
 #include <cmath>
 
-#include <ompl/util/Console.h>
 #include <ompl/util/RandomNumbers.h>
 
 #include "voronaut/benchmarks/episode/episode.h"
 #include "voronaut/benchmarks/episode/episode_trace.h"
 #include "voronaut/benchmarks/episode/metrics.h"
-#include "voronaut/benchmarks/static_planning/static_trial.h"
-#include "voronaut/benchmarks/trial/trial.h"
 
 namespace voronaut {
 
@@ -55,37 +54,8 @@ void add_times(RunRecord& record, const EpisodeLog& log) {
 
 }  // namespace
 
-void add_solve_ends(RunRecord& record, const std::array<std::int64_t, kSolveEnds>& ends) {
-  const auto count = [&](SolveEnd end) { return ends[static_cast<std::size_t>(end)]; };
-  record.stops_first_solution = count(SolveEnd::first_solution);
-  record.stops_state_checks = count(SolveEnd::state_checks);
-  record.stops_ptc_evaluations = count(SolveEnd::ptc_evaluations);
-  record.stops_iterations = count(SolveEnd::iterations);
-  record.stops_wall_clock = count(SolveEnd::wall_clock);
-  record.budget_stops = record.stops_state_checks + record.stops_ptc_evaluations +
-                        record.stops_iterations + record.stops_wall_clock;
-}
-
-RunRecord record_before_flight(const TrialSpec& spec) {
-  RunRecord record;
-  record.trial_id = spec.trial_id;
-  record.suite = spec.suite;
-  record.scenario = spec.scenario.name;
-  record.scenario_group = spec.scenario.group;
-  record.world_id = spec.world_id;
-  record.vehicle = spec.vehicle.name;
-  record.regulator = spec.regulator_name;
-  record.planner = spec.planner.label;
-  record.repetition = spec.repetition;
-  record.seed = static_cast<std::int64_t>(spec.planner_seed);
-  record.shortest_length_m = spec.shortest_length_m;
-  record.shortest_at_clearance_m = spec.shortest_at_clearance_m;
-  return record;
-}
-
-TrialResult run_trial(const TrialSpec& spec, const PlannerCatalog& planners, bool keep_trace) {
-  ompl::msg::setLogLevel(ompl::msg::LOG_NONE);
-  if (spec.kind == TrialKind::known) return run_known_trial(spec, planners, keep_trace);
+TrialResult run_flown_trial(const TrialSpec& spec, const PlannerCatalog& planners,
+                            bool keep_trace) {
   ompl::RNG::setSeed(static_cast<std::uint_fast32_t>(spec.planner_seed % 0x7fffffffU) + 1);
 
   TrialResult result{record_before_flight(spec), std::nullopt};

@@ -6,7 +6,7 @@
 
 #include "voronaut/benchmarks/trial/loop_config.h"
 #include "voronaut/dynamics/state.h"
-#include "voronaut/environments/scenario/scenario_spec.h"
+#include "voronaut/environments/scenario/scenario.h"
 #include "voronaut/environments/world.h"
 #include "voronaut/reports/run_record.h"
 

@@ -6,7 +6,7 @@
 
 #include <benchmark/benchmark.h>
 
-#include "voronaut/benchmarks/micro/measured_scan.h"
+#include "voronaut/benchmarks/micro/peers/measured_scan.h"
 #include "voronaut/benchmarks/micro/peers/naive_map.h"
 #include "voronaut/benchmarks/micro/peers/occupancy_grid.h"
 #include "voronaut/benchmarks/micro/workload.h"

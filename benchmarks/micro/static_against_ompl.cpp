@@ -23,10 +23,10 @@
 #include "voronaut/environments/random.h"
 #include "voronaut/environments/world.h"
 
-// RRTConnect on OMPL's circle queries through a suite of kind `known` and through
+// RRTConnect on OMPL's circle queries through a suite of kind `static` and through
 // ompl::tools::Benchmark, with the same checker and the same seeds:
 //
-//   voronaut-known-against-ompl FOLDER [RUNS [MOTION_US]]
+//   voronaut-static-against-ompl FOLDER [RUNS [MOTION_US]]
 //
 // FOLDER is that of circle_obstacles.txt and circle_queries.txt, RUNS the seeds of each query, and
 // the checker takes MOTION_US longer for each motion, both ways, as a costly one would. Both are
@@ -140,7 +140,7 @@ std::vector<Run> through_us(const TrialSpec& query, int runs, double motion_us) 
     spec.planner_seed = seed_of(query, run);
     text += run_in_child(
                 [&] {
-                  const RunRecord row = run_known_trial(spec, planners, false).record;
+                  const RunRecord row = run_static_trial(spec, planners, false).record;
                   return to_text({row.planning_time_us_mean, 0,
                                   static_cast<std::uint64_t>(row.state_checks),
                                   row.outcome == Outcome::goal_reached});
@@ -154,7 +154,7 @@ std::vector<Run> through_us(const TrialSpec& query, int runs, double motion_us) 
 // Keeps a clock around the search itself, and tells Benchmark of it as a property of the run.
 class ClockedRRTConnect : public ompl::geometric::RRTConnect {
  public:
-  ClockedRRTConnect(const ob::SpaceInformationPtr& si, const KnownProblem& problem)
+  ClockedRRTConnect(const ob::SpaceInformationPtr& si, const StaticProblem& problem)
       : RRTConnect(si), problem_(problem) {}
 
   ob::PlannerStatus solve(const ob::PlannerTerminationCondition& condition) override {
@@ -173,7 +173,7 @@ class ClockedRRTConnect : public ompl::geometric::RRTConnect {
   }
 
  private:
-  const KnownProblem& problem_;
+  const StaticProblem& problem_;
   std::chrono::duration<double, std::micro> spent_{};
   std::uint64_t checks_ = 0;
 };
@@ -188,7 +188,7 @@ void seed_as_a_trial(std::uint64_t planner_seed) {
 std::vector<Run> through_ompl(const TrialSpec& query, int runs, double motion_us) {
   const ChildReport child = run_in_child(
       [&] {
-        const KnownProblem problem(query.scenario, query.vehicle.clearance_min_m);
+        const StaticProblem problem(query.scenario, query.vehicle.clearance_min_m);
         make_costly(problem.space_information(), motion_us);
         ompl::geometric::SimpleSetup setup(problem.space_information());
         setup.addStartState(ob::ScopedState<>(problem.space_information()->getStateSpace(),
@@ -261,7 +261,7 @@ struct Comparison {
   void print() const {
     const auto n = static_cast<double>(ratios.size());
     std::printf("RRTConnect: mean of the medians of %zu queries, us\n", ratios.size());
-    std::printf("  %-44s %10.1f\n", "voronaut, kind: known", ours_us / n);
+    std::printf("  %-44s %10.1f\n", "voronaut, kind: static", ours_us / n);
     std::printf("  %-44s %10.1f\n", "ompl::tools::Benchmark, within solve()", solve_us / n);
     std::printf("  %-44s %10.1f\n", "ompl::tools::Benchmark, its property time", benchmark_us / n);
     std::printf("ratio within solve() %.3f, of single queries %.3f .. %.3f (quartiles)\n",
@@ -295,7 +295,7 @@ int main(int argc, char** argv) {
   const int runs = argc > 2 ? std::atoi(argv[2]) : 20;
   const double motion_us = argc > 3 ? std::atof(argv[3]) : 0;
   if (argc < 2 || argc > 4 || runs < 1 || motion_us < 0) {
-    std::cerr << "usage: voronaut-known-against-ompl FOLDER [RUNS [MOTION_US]]\n";
+    std::cerr << "usage: voronaut-static-against-ompl FOLDER [RUNS [MOTION_US]]\n";
     return 2;
   }
   return voronaut::compare(argv[1], runs, motion_us);

@@ -5,7 +5,7 @@
 #include "voronaut/environments/sensing/carmen_log.h"
 #include "voronaut/planners/mapping/obstacle_base.h"
 
-namespace voronaut::micro {
+namespace voronaut {
 namespace {
 
 constexpr std::size_t kMostReturnsDrawn = 20'000;
@@ -66,4 +66,4 @@ std::vector<MappedLog> map_logs(const std::string& data) {
   return logs;
 }
 
-}  // namespace voronaut::micro
+}  // namespace voronaut

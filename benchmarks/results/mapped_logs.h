@@ -5,7 +5,7 @@
 
 #include "voronaut/reports/page/mapping_report.h"
 
-namespace voronaut::micro {
+namespace voronaut {
 
 // The recorded lidar that is measured and drawn; a log of this name is
 // <data>/lidar/<name>-corrected.log.gz.
@@ -20,4 +20,4 @@ inline constexpr double kLidarRangeM = 20;
 // that is damaged.
 std::vector<MappedLog> map_logs(const std::string& data);
 
-}  // namespace voronaut::micro
+}  // namespace voronaut

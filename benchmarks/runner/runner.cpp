@@ -2,6 +2,7 @@
 
 #include <stdexcept>
 
+#include "voronaut/benchmarks/episode/episode_trace.h"
 #include "voronaut/benchmarks/isolation/process_pool.h"
 #include "voronaut/benchmarks/runner/packed_trial.h"
 #include "voronaut/benchmarks/suite/suite_trials.h"

@@ -13,7 +13,7 @@ namespace voronaut {
 namespace ob = ompl::base;
 
 // The truth, as the swept disc asks for it. No planner sees this: the checker does not offer it.
-class KnownProblem::Truth : public KnownGeometry {
+class StaticProblem::Truth : public KnownGeometry {
  public:
   Truth(const World& world, double clearance_m) : world_(world), clearance_m_(clearance_m) {}
 
@@ -61,7 +61,7 @@ class TrueChecker : public ob::StateValidityChecker {
 
 }  // namespace
 
-KnownProblem::KnownProblem(const Scenario& scenario, double clearance_min_m)
+StaticProblem::StaticProblem(const Scenario& scenario, double clearance_min_m)
     : truth_(std::make_shared<Truth>(*scenario.world, clearance_min_m)),
       problem_({scenario.world->bounds(), scenario.goal_world, scenario.goal_tolerance_m,
                 clearance_min_m}) {
@@ -72,8 +72,8 @@ KnownProblem::KnownProblem(const Scenario& scenario, double clearance_min_m)
   problem_.update(ObstacleSnapshot{}, scenario.start_world);
 }
 
-KnownProblem::~KnownProblem() = default;
+StaticProblem::~StaticProblem() = default;
 
-std::uint64_t KnownProblem::state_checks() const { return truth_->checks; }
+std::uint64_t StaticProblem::state_checks() const { return truth_->checks; }
 
 }  // namespace voronaut

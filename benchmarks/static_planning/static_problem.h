@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <memory>
 
-#include "voronaut/environments/scenario/scenario_spec.h"
+#include "voronaut/environments/scenario/scenario.h"
 #include "voronaut/planners/problem/problem.h"
 
 namespace voronaut {
@@ -11,10 +11,10 @@ namespace voronaut {
 // A scenario as a static problem for OMPL: states and motions are exact against the true shapes at
 // clearance_min_m > 0. Planners see the world through the space information's validity checker and
 // motion validator alone. The scenario must outlive it.
-class KnownProblem {
+class StaticProblem {
  public:
-  KnownProblem(const Scenario& scenario, double clearance_min_m);
-  ~KnownProblem();
+  StaticProblem(const Scenario& scenario, double clearance_min_m);
+  ~StaticProblem();
 
   const ompl::base::SpaceInformationPtr& space_information() const {
     return problem_.space_information();

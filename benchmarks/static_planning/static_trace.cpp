@@ -14,12 +14,12 @@ constexpr double kStep_s = 0.05;
 
 }  // namespace
 
-Trace known_trace(const TrialSpec& spec, const Path& path,
-                  const std::vector<Improvement>& improvements,
-                  const std::vector<Segment>& searched) {
+Trace static_trace(const TrialSpec& spec, const Path& path,
+                   const std::vector<Improvement>& improvements,
+                   const std::vector<Segment>& searched) {
   Trace trace;
   trace.trial_id = spec.trial_id;
-  trace.known = true;
+  trace.static_planning = true;
   trace.body_radius_m = spec.vehicle.body_radius_m;
   trace.clearance_min_m = spec.vehicle.clearance_min_m;
   trace.modes = {path.empty() ? "no path" : "along the path at 1 m/s"};

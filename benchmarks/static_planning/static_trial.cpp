@@ -26,8 +26,8 @@ namespace {
 constexpr double kSamePlace_m = 1e-9;
 
 // One solve, everything made anew.
-struct KnownSolve {
-  KnownSolve(const TrialSpec& spec, const PlannerCatalog& planners, bool watch)
+struct StaticSolve {
+  StaticSolve(const TrialSpec& spec, const PlannerCatalog& planners, bool watch)
       : problem(spec.scenario, spec.vehicle.clearance_min_m) {
     planner = planners.find(spec.planner.name)->make(problem.space_information());
     set_parameters(*planner, spec.planner.name, spec.planner.params);
@@ -42,7 +42,7 @@ struct KnownSolve {
     checks = problem.state_checks();
   }
 
-  KnownProblem problem;
+  StaticProblem problem;
   ob::PlannerPtr planner;
   SolveReport report;
   std::vector<Improvement> improvements;
@@ -55,7 +55,7 @@ void seed(std::uint64_t planner_seed) {
 }
 
 // What is wrong with a path that claims to lead from the start to the goal, empty if nothing is.
-std::string flaw_of(const ompl::geometric::PathGeometric& path, const KnownSolve& solved,
+std::string flaw_of(const ompl::geometric::PathGeometric& path, const StaticSolve& solved,
                     const Scenario& scenario) {
   const ob::StateSpace& space = *solved.problem.space_information()->getStateSpace();
   const Vec2 first = position_of(space, path.getState(0));
@@ -66,7 +66,7 @@ std::string flaw_of(const ompl::geometric::PathGeometric& path, const KnownSolve
   return {};
 }
 
-void judge(RunRecord& record, const KnownSolve& solved, const Scenario& scenario) {
+void judge(RunRecord& record, const StaticSolve& solved, const Scenario& scenario) {
   const ob::PlannerStatus& status = solved.report.status;
   const auto* insight = dynamic_cast<const PlannerInsight*>(solved.planner.get());
   record.reason = status.asString();
@@ -89,7 +89,7 @@ void judge(RunRecord& record, const KnownSolve& solved, const Scenario& scenario
 }
 
 // The path as if a vehicle had stood at each vertex.
-std::vector<Tick> vertices(const KnownSolve& solved, const World& world) {
+std::vector<Tick> vertices(const StaticSolve& solved, const World& world) {
   std::vector<Tick> ticks;
   const ob::PathPtr& found = solved.problem.definition()->getSolutionPath();
   if (!found) return ticks;
@@ -106,7 +106,7 @@ std::vector<Tick> vertices(const KnownSolve& solved, const World& world) {
   return ticks;
 }
 
-RunRecord record_of(const TrialSpec& spec, const KnownSolve& solved) {
+RunRecord record_of(const TrialSpec& spec, const StaticSolve& solved) {
   RunRecord record = record_before_flight(spec);
   judge(record, solved, spec.scenario);
   record.replans = 1;
@@ -136,16 +136,16 @@ RunRecord record_of(const TrialSpec& spec, const KnownSolve& solved) {
 
 }  // namespace
 
-TrialResult run_known_trial(const TrialSpec& spec, const PlannerCatalog& planners,
-                            bool keep_trace) {
+TrialResult run_static_trial(const TrialSpec& spec, const PlannerCatalog& planners,
+                             bool keep_trace) {
   {
     // Untimed: the first solve of a process pays for pages and caches. Of another seed: the
     // processor predicts the branches of a search that it has just done.
     seed(spec.planner_seed + 1);
-    const KnownSolve warm_up(spec, planners, keep_trace);
+    const StaticSolve warm_up(spec, planners, keep_trace);
   }
   seed(spec.planner_seed);
-  KnownSolve solved(spec, planners, keep_trace);
+  StaticSolve solved(spec, planners, keep_trace);
 
   TrialResult result{record_of(spec, solved), std::nullopt};
   if (!keep_trace) return result;
@@ -153,7 +153,7 @@ TrialResult run_known_trial(const TrialSpec& spec, const PlannerCatalog& planner
   if (const ob::PathPtr& found = solved.problem.definition()->getSolutionPath())
     path = to_path(*found->as<ompl::geometric::PathGeometric>(),
                    *solved.problem.space_information()->getStateSpace());
-  result.trace = known_trace(
+  result.trace = static_trace(
       spec, path, solved.improvements,
       search_graph(*solved.planner, *solved.problem.space_information()->getStateSpace()));
   return result;

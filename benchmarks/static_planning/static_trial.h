@@ -4,7 +4,7 @@
 
 namespace voronaut {
 
-// A trial of a suite of kind `known`: the whole true world is given and nobody moves, as in
+// A trial of a suite of kind `static`: the whole true world is given and nobody moves, as in
 // ompl::tools::Benchmark. States and motions are exact against the true shapes at the vehicle's
 // clearance_min_m; planners see them through the validity checker and motion validator alone. Two
 // solves: the first, of a problem and with a seed of its own, takes the page faults of a new
@@ -21,6 +21,7 @@ namespace voronaut {
 // A trace walks along the path at 1 m/s, and holds what the planner searched and its improvements.
 //
 // Seeds OMPL: in a process of its own, as run_trial().
-TrialResult run_known_trial(const TrialSpec& spec, const PlannerCatalog& planners, bool keep_trace);
+TrialResult run_static_trial(const TrialSpec& spec, const PlannerCatalog& planners,
+                             bool keep_trace);
 
 }  // namespace voronaut

@@ -72,7 +72,7 @@ struct SuiteConfig {
 //   budget: {state_checks: 50000, ptc_evaluations: 200000}   see budget_config.h
 //   limits: {memory_mb: 1024, cpu_s: 120, wall_s: 300}
 //   traces: all | failures | none
-//   kind: flown | known             known: static planning with the whole world given
+//   kind: flown | static            static: planning alone, with the whole world given
 //   claims: [{planner: RRTConnect, outcome_share_min: 1}]   keys of Claim
 //
 // and everything it names. A cart drives at height 0 whatever the scenario's heights; its suites

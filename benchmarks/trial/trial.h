@@ -8,7 +8,7 @@
 
 #include "voronaut/benchmarks/trial/loop_config.h"
 #include "voronaut/dynamics/catalog.h"
-#include "voronaut/environments/scenario/scenario_spec.h"
+#include "voronaut/environments/scenario/scenario.h"
 #include "voronaut/environments/sensing/range_finder.h"
 #include "voronaut/planners/catalog/catalog.h"
 #include "voronaut/planners/mapping/obstacle_base.h"
@@ -27,8 +27,9 @@ struct PlannerSpec {
   std::optional<NavigationConfig> navigation = std::nullopt;  // instead of the suite's
 };
 
-// flown: discover the world while flying through it. known: the whole world is given, nobody moves.
-enum class TrialKind { flown, known };
+// flown: discover the world while flying through it. static_planning: the whole world is given,
+// nobody moves.
+enum class TrialKind { flown, static_planning };
 
 struct TrialSpec {
   std::string suite;
@@ -59,19 +60,10 @@ struct TrialResult {
   std::optional<Trace> trace;
 };
 
-// Flies one trial, or solves it if its kind is `known`, in this process: seeds OMPL, so it must be
-// the first to use a random number in its process (fork before). Never throws for what a planner
-// does within its contract; exceptions of a planner or std::bad_alloc pass through, the caller
-// makes rows of them.
-TrialResult run_trial(const TrialSpec& spec, const PlannerCatalog& planners, bool keep_trace);
-
 // The row of a trial that has not flown: what is known of it from its definition alone.
 RunRecord record_before_flight(const TrialSpec& spec);
 
 // Counts what ended the solves of a trial into its row.
 void add_solve_ends(RunRecord& record, const std::array<std::int64_t, kSolveEnds>& ends);
-
-// The world as reports draw it.
-TraceWorld trace_world(const Scenario& scenario, const std::string& world_id);
 
 }  // namespace voronaut

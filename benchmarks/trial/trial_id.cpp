@@ -39,7 +39,7 @@ ConfigEntries task_entries(const TrialSpec& spec) {
                            {"planner_name", spec.planner.name},
                            {"repetition", std::to_string(spec.repetition)},
                            {"planner_seed", std::to_string(spec.planner_seed)}};
-  if (spec.kind == TrialKind::known) entries.emplace_back("kind", "known");
+  if (spec.kind == TrialKind::static_planning) entries.emplace_back("kind", "static");
   for (auto& entry : budget_entries(spec.budget)) entries.push_back(std::move(entry));
   return entries;
 }

@@ -3,6 +3,7 @@
 #include <cstdlib>
 #include <utility>
 
+#include "voronaut/environments/config/config_node.h"
 #include "voronaut/environments/generators/placement.h"
 #include "voronaut/environments/world.h"
 

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "voronaut/environments/config/config_node.h"
 #include "voronaut/environments/scenario/scenario_spec.h"
 
 // What the entries of scenarios share, whatever their world comes from. All throw ConfigError.

@@ -1,3 +1,5 @@
+#include "voronaut/environments/scenario_files/scenario_reader.h"
+
 #include <stdexcept>
 #include <utility>
 

@@ -10,7 +10,7 @@
 #include <sleef.h>
 #include <zlib.h>
 
-namespace voronaut::micro {
+namespace voronaut {
 namespace {
 
 std::string unzipped(const std::string& path) {
@@ -73,4 +73,4 @@ std::vector<Scan> read_carmen_log(const std::string& path, double max_range_m) {
   return scans;
 }
 
-}  // namespace voronaut::micro
+}  // namespace voronaut

@@ -30,7 +30,7 @@ struct MissionConfig {
   }
 };
 
-class Mission : public Travel {
+class Mission : public Rollout {
  public:
   // From a valid start to a valid goal.
   Mission(const ompl::base::SpaceInformationPtr& si, const ReactiveVoronoiConfig& planner,

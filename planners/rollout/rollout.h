@@ -9,24 +9,24 @@
 
 namespace voronaut {
 
-// A way from one start towards one goal in the plane that grows step by step: what a planner does
-// that moves first and has its path afterwards. Each step is a valid motion.
-class Travel {
+// A simulated motion from one start towards one goal in the plane, step by step: what a planner
+// does that moves first and has its path afterwards. Each step is a valid motion.
+class Rollout {
  public:
-  enum class Status { under_way, at_goal, stuck };
+  enum class Status { running, at_goal, stuck };
 
   // Both states are copied.
-  Travel(const ompl::base::SpaceInformationPtr& si, const ompl::base::State* start,
-         const ompl::base::State* goal);
-  virtual ~Travel() = default;
+  Rollout(const ompl::base::SpaceInformationPtr& si, const ompl::base::State* start,
+          const ompl::base::State* goal);
+  virtual ~Rollout() = default;
 
-  // One step. No effect once the travel has ended.
+  // One step. No effect once the rollout has ended.
   void advance();
 
   Status status() const { return status_; }
-  // The way so far; its last state is a copy of the goal if it ended there.
-  const ompl::geometric::PathGeometric& way() const { return way_; }
-  // The state of that way closest to the goal, and how close it is.
+  // The path so far; its last state is a copy of the goal if it ended there.
+  const ompl::geometric::PathGeometric& path() const { return path_; }
+  // The state of that path closest to the goal, and how close it is.
   std::size_t closest_index() const { return closest_index_; }
   double closest_m() const { return closest_m_; }
   const Vec2& goal_world() const { return goal_world_; }
@@ -46,11 +46,11 @@ class Travel {
 
  private:
   ompl::base::SpaceInformationPtr si_;
-  ompl::geometric::PathGeometric way_;
+  ompl::geometric::PathGeometric path_;
   ompl::geometric::PathGeometric goal_;  // one state
   Vec2 p_world_;
   Vec2 goal_world_;
-  Status status_ = Status::under_way;
+  Status status_ = Status::running;
   std::size_t steps_ = 0;
   std::size_t closest_step_ = 0;
   std::size_t closest_index_ = 0;

@@ -20,28 +20,28 @@ constexpr std::size_t kMostGoals = 4;
 
 }  // namespace
 
-TravelPlanner::TravelPlanner(const ob::SpaceInformationPtr& si, const std::string& name)
+RolloutPlanner::RolloutPlanner(const ob::SpaceInformationPtr& si, const std::string& name)
     : Planner(si, name) {
   specs_.recognizedGoal = ob::GOAL_SAMPLEABLE_REGION;
   specs_.approximateSolutions = true;
   specs_.directed = true;
 }
 
-TravelPlanner::~TravelPlanner() { forget_travels(); }
+RolloutPlanner::~RolloutPlanner() { forget_rollouts(); }
 
-void TravelPlanner::setup() {
+void RolloutPlanner::setup() {
   Planner::setup();
   if (!has_position(*si_->getStateSpace()))
     throw ompl::Exception(getName(),
                           "plans in the plane: RealVectorStateSpace(2) or SE2StateSpace");
 }
 
-void TravelPlanner::clear() {
+void RolloutPlanner::clear() {
   Planner::clear();
-  forget_travels();
+  forget_rollouts();
 }
 
-void TravelPlanner::forget_travels() {
+void RolloutPlanner::forget_rollouts() {
   attempts_.clear();
   for (ob::State* state : starts_) si_->freeState(state);
   for (ob::State* state : goals_) si_->freeState(state);
@@ -49,7 +49,7 @@ void TravelPlanner::forget_travels() {
   goals_.clear();
 }
 
-ob::PlannerStatus TravelPlanner::solve(const ob::PlannerTerminationCondition& ptc) {
+ob::PlannerStatus RolloutPlanner::solve(const ob::PlannerTerminationCondition& ptc) {
   checkValidity();
   if (!dynamic_cast<const ob::GoalSampleableRegion*>(pdef_->getGoal().get()))
     return ob::PlannerStatus::UNRECOGNIZED_GOAL_TYPE;
@@ -58,16 +58,16 @@ ob::PlannerStatus TravelPlanner::solve(const ob::PlannerTerminationCondition& pt
   if (!read_goals(ptc)) return ob::PlannerStatus::INVALID_GOAL;
 
   do {
-    if (!latest() || latest()->status() == Travel::Status::stuck) {
+    if (!latest() || latest()->status() == Rollout::Status::stuck) {
       if (!begin_attempt()) break;
     }
-    Travel& travel = *attempts_.back().travel;
-    while (travel.status() == Travel::Status::under_way && !ptc) travel.advance();
-  } while (latest()->status() == Travel::Status::stuck && !ptc);
+    Rollout& rollout = *attempts_.back().rollout;
+    while (rollout.status() == Rollout::Status::running && !ptc) rollout.advance();
+  } while (latest()->status() == Rollout::Status::stuck && !ptc);
   return report();
 }
 
-bool TravelPlanner::read_goals(const ob::PlannerTerminationCondition& ptc) {
+bool RolloutPlanner::read_goals(const ob::PlannerTerminationCondition& ptc) {
   if (goals_.empty()) {
     if (const ob::State* goal = pis_.nextGoal(ptc)) goals_.push_back(si_->cloneState(goal));
   }
@@ -79,47 +79,48 @@ bool TravelPlanner::read_goals(const ob::PlannerTerminationCondition& ptc) {
   return !goals_.empty();
 }
 
-bool TravelPlanner::begin_attempt() {
+bool RolloutPlanner::begin_attempt() {
   for (std::size_t start = 0; start < starts_.size(); ++start) {
     for (std::size_t goal = 0; goal < goals_.size(); ++goal) {
       const bool tried = std::any_of(attempts_.begin(), attempts_.end(), [&](const Attempt& each) {
         return each.start == start && each.goal == goal;
       });
       if (tried) continue;
-      attempts_.push_back({start, goal, travel(starts_[start], goals_[goal])});
+      attempts_.push_back({start, goal, make_rollout(starts_[start], goals_[goal])});
       return true;
     }
   }
   return false;
 }
 
-ob::PlannerStatus TravelPlanner::report() const {
+ob::PlannerStatus RolloutPlanner::report() const {
   const auto best =
       std::min_element(attempts_.begin(), attempts_.end(), [](const Attempt& a, const Attempt& b) {
-        return a.travel->closest_m() < b.travel->closest_m();
+        return a.rollout->closest_m() < b.rollout->closest_m();
       });
-  const Travel& travel = *best->travel;
-  const bool exact = travel.status() == Travel::Status::at_goal;
-  const std::size_t end = exact ? travel.way().getStateCount() - 1 : end_of_approximation(travel);
+  const Rollout& rollout = *best->rollout;
+  const bool exact = rollout.status() == Rollout::Status::at_goal;
+  const std::size_t end =
+      exact ? rollout.path().getStateCount() - 1 : end_of_approximation(rollout);
   if (!exact && end == 0) return ob::PlannerStatus::TIMEOUT;
   auto path = std::make_shared<og::PathGeometric>(si_);
   for (std::size_t i = 0; i <= end; ++i)
-    path->append(travel.way().getState(static_cast<unsigned>(i)));
+    path->append(rollout.path().getState(static_cast<unsigned>(i)));
   const Vec2 end_world = position_of(*si_->getStateSpace(), path->getStates().back());
-  pdef_->addSolutionPath(path, !exact, (travel.goal_world() - end_world).norm(), getName());
+  pdef_->addSolutionPath(path, !exact, (rollout.goal_world() - end_world).norm(), getName());
   return {true, !exact};
 }
 
-std::size_t TravelPlanner::end_of_approximation(const Travel& travel) const {
-  return travel.closest_index();
+std::size_t RolloutPlanner::end_of_approximation(const Rollout& rollout) const {
+  return rollout.closest_index();
 }
 
-void TravelPlanner::getPlannerData(ob::PlannerData& data) const {
+void RolloutPlanner::getPlannerData(ob::PlannerData& data) const {
   Planner::getPlannerData(data);
   for (const Attempt& attempt : attempts_) {
-    const og::PathGeometric& way = attempt.travel->way();
+    const og::PathGeometric& way = attempt.rollout->path();
     add_chain(way, data);
-    if (attempt.travel->status() == Travel::Status::at_goal)
+    if (attempt.rollout->status() == Rollout::Status::at_goal)
       data.markGoalState(way.getState(static_cast<unsigned>(way.getStateCount() - 1)));
   }
 }

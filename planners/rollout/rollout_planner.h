@@ -10,14 +10,14 @@
 
 namespace voronaut {
 
-// The part of OMPL's contract that is the same for every planner that travels: from each start to
-// each goal, in the order in which they came, until one arrives. The path is the way travelled;
-// where none arrives, an approximate solution. A further solve
-// goes on where the last one was stopped, and takes new starts and goals in. Nothing is proved.
-class TravelPlanner : public ompl::base::Planner {
+// The part of OMPL's contract that is the same for every planner that rolls out its motion: from
+// each start to each goal, in the order in which they came, until one arrives. The solution is the
+// path rolled out; where none arrives, an approximate solution. A further solve goes on where the
+// last one was stopped, and takes new starts and goals in. Nothing is proved.
+class RolloutPlanner : public ompl::base::Planner {
  public:
-  TravelPlanner(const ompl::base::SpaceInformationPtr& si, const std::string& name);
-  ~TravelPlanner() override;
+  RolloutPlanner(const ompl::base::SpaceInformationPtr& si, const std::string& name);
+  ~RolloutPlanner() override;
 
   using Planner::solve;
   ompl::base::PlannerStatus solve(const ompl::base::PlannerTerminationCondition& ptc) override;
@@ -26,24 +26,24 @@ class TravelPlanner : public ompl::base::Planner {
   void getPlannerData(ompl::base::PlannerData& data) const override;
 
  protected:
-  virtual std::unique_ptr<Travel> travel(const ompl::base::State* start,
-                                         const ompl::base::State* goal) = 0;
+  virtual std::unique_ptr<Rollout> make_rollout(const ompl::base::State* start,
+                                                const ompl::base::State* goal) = 0;
 
-  // Index of the state at which the path of a travel that has not arrived ends: by default the one
+  // Index of the state at which the path of a rollout that has not arrived ends: by default the one
   // closest to the goal. 0 is no path at all.
-  virtual std::size_t end_of_approximation(const Travel& travel) const;
+  virtual std::size_t end_of_approximation(const Rollout& rollout) const;
 
   // The one under way or the last that was, null before the first.
-  const Travel* latest() const {
-    return attempts_.empty() ? nullptr : attempts_.back().travel.get();
+  const Rollout* latest() const {
+    return attempts_.empty() ? nullptr : attempts_.back().rollout.get();
   }
-  void forget_travels();
+  void forget_rollouts();
 
  private:
   struct Attempt {
     std::size_t start = 0;
     std::size_t goal = 0;
-    std::unique_ptr<Travel> travel;
+    std::unique_ptr<Rollout> rollout;
   };
 
   bool read_goals(const ompl::base::PlannerTerminationCondition& ptc);

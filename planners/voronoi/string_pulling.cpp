@@ -10,8 +10,8 @@ constexpr double kTouch_m = 1e-9;    // closer than this to a tangent is touchin
 constexpr double kCosFinest = 0.99;  // chords of arcs turn by at most 8.1 degrees, then by halves
 constexpr int kMaxHalvings = 12;
 
-// One end of the string, or a circle that it touches. The gates are those at which it was met.
-struct Bead {
+// An end of the string, or its contact with a circle. The gates are those at which it was met.
+struct Contact {
   Vec2 center;
   double radius_m;
   SiteId site;
@@ -27,9 +27,9 @@ struct Straight {
   Vec2 direction;
 };
 
-// The common tangent that leaves bead i and reaches bead j with each on its own side; false if the
-// circles overlap too much to have one.
-bool tangent(const Bead& i, const Bead& j, Straight& s) {
+// The common tangent that leaves contact i and reaches contact j with each on its own side; false
+// if the circles overlap too much to have one.
+bool tangent(const Contact& i, const Contact& j, Straight& s) {
   const Vec2 between = j.center - i.center;
   const double distance_m = between.norm();
   const double difference = j.signed_radius_m() - i.signed_radius_m();
@@ -43,16 +43,16 @@ bool tangent(const Bead& i, const Bead& j, Straight& s) {
   return true;
 }
 
-class TautString {
+class StringPulling {
  public:
-  TautString(const TautSurroundings& around, const Channel& channel, const Vec2& start,
-             const Vec2& goal)
+  StringPulling(const StringObstacles& around, const Channel& channel, const Vec2& start,
+                const Vec2& goal)
       : around_(around), channel_(channel) {
-    beads_.push_back({start, 0, -1, true, 0});
+    contacts_.push_back({start, 0, -1, true, 0});
     for (const Turn& turn : channel.turns)
-      if (beads_.back().site != turn.site || beads_.back().on_left != turn.on_left)
-        beads_.push_back(bead(turn.site, turn.on_left, turn.gate));
-    beads_.push_back({goal, 0, -1, true, channel.gates.empty() ? 0 : channel.gates.size() - 1});
+      if (contacts_.back().site != turn.site || contacts_.back().on_left != turn.on_left)
+        contacts_.push_back(contact(turn.site, turn.on_left, turn.gate));
+    contacts_.push_back({goal, 0, -1, true, channel.gates.empty() ? 0 : channel.gates.size() - 1});
   }
 
   // Drops circles from which the string lifts and adds those that it cuts, until neither is left.
@@ -73,37 +73,37 @@ class TautString {
       const std::int32_t k = around_.cells.deepest_within(s.from, s.to, around_.check_radius_m);
       if (k < 0) continue;
       const SiteId site = k + DelaunayTriangulation::kFrameSites;
-      if (site == beads_[i].site || site == beads_[i + 1].site) return false;
+      if (site == contacts_[i].site || site == contacts_[i + 1].site) return false;
       const bool on_left = cross(s.direction, around_.delaunay.site(site) - s.from) > 0;
-      beads_.insert(beads_.begin() + i + 1, bead(site, on_left, beads_[i].gate));
+      contacts_.insert(contacts_.begin() + i + 1, contact(site, on_left, contacts_[i].gate));
       return true;
     }
     return false;
   }
 
   std::vector<Vec2> polyline() const {
-    std::vector<Vec2> points{beads_.front().center};
-    for (std::size_t i = 1; i + 1 < beads_.size(); ++i) add_arc(i, points);
-    points.push_back(beads_.back().center);
+    std::vector<Vec2> points{contacts_.front().center};
+    for (std::size_t i = 1; i + 1 < contacts_.size(); ++i) add_arc(i, points);
+    points.push_back(contacts_.back().center);
     return points;
   }
 
  private:
-  Bead bead(SiteId site, bool on_left, std::size_t gate) const {
+  Contact contact(SiteId site, bool on_left, std::size_t gate) const {
     return {around_.delaunay.site(site), around_.radius_m, site, on_left, gate};
   }
 
   bool lay_tangents() {
-    straights_.resize(beads_.size() - 1);
+    straights_.resize(contacts_.size() - 1);
     for (std::size_t i = 0; i < straights_.size(); ++i)
-      if (!tangent(beads_[i], beads_[i + 1], straights_[i])) return false;
+      if (!tangent(contacts_[i], contacts_[i + 1], straights_[i])) return false;
     return true;
   }
 
-  // How far the string turns at bead i in the sense in which it goes around it: the sine.
+  // How far the string turns at contact i in the sense in which it goes around it: the sine.
   double turn(std::size_t i) const {
     return cross(straights_[i - 1].direction, straights_[i].direction) *
-           (beads_[i].on_left ? 1 : -1);
+           (contacts_[i].on_left ? 1 : -1);
   }
 
   // A string that turns the other way does not touch the circle. More than half a turn around a
@@ -113,9 +113,9 @@ class TautString {
   }
 
   bool drop_one() {
-    for (std::size_t i = 1; i + 1 < beads_.size(); ++i) {
+    for (std::size_t i = 1; i + 1 < contacts_.size(); ++i) {
       if (!lifts(i)) continue;
-      beads_.erase(beads_.begin() + i);
+      contacts_.erase(contacts_.begin() + i);
       return true;
     }
     return false;
@@ -141,10 +141,11 @@ class TautString {
   bool crosses(std::size_t i, HalfEdgeId gate) const {
     const Straight& s = straights_[i];
     for (const std::size_t end : {i, i + 1}) {
-      const Bead& bead = beads_[end];
-      if (bead.site < 0 || gate_site(gate, bead.on_left) != bead.site) continue;
-      const Vec2 along_gate = around_.delaunay.site(gate_site(gate, !bead.on_left)) - bead.center;
-      const Vec2 to_contact = (end == i ? s.from : s.to) - bead.center;
+      const Contact& contact = contacts_[end];
+      if (contact.site < 0 || gate_site(gate, contact.on_left) != contact.site) continue;
+      const Vec2 along_gate =
+          around_.delaunay.site(gate_site(gate, !contact.on_left)) - contact.center;
+      const Vec2 to_contact = (end == i ? s.from : s.to) - contact.center;
       const double ahead = along_gate.dot(s.direction) * (end == i ? 1 : -1);
       if (ahead < 0 || along_gate.dot(to_contact) < 0) return false;
     }
@@ -154,35 +155,35 @@ class TautString {
   bool add_deepest() {
     double deepest_m = kTouch_m;
     std::size_t where = 0;
-    Bead cut{};
+    Contact cut{};
     for (std::size_t i = 0; i < straights_.size(); ++i) {
       if (channel_.gates.empty()) break;
-      for (std::size_t k = beads_[i].gate; k <= beads_[i + 1].gate; ++k) {
+      for (std::size_t k = contacts_[i].gate; k <= contacts_[i + 1].gate; ++k) {
         if (!crosses(i, channel_.gates[k])) continue;
         for (const bool on_left : {true, false}) {
           const HalfEdgeId h = channel_.gates[k];
           const SiteId site = gate_site(h, on_left);
-          if (around_.delaunay.is_frame(site) || is_bead(i, site, on_left) ||
-              is_bead(i + 1, site, on_left))
+          if (around_.delaunay.is_frame(site) || is_contact(i, site, on_left) ||
+              is_contact(i + 1, site, on_left))
             continue;
           const double depth = depth_m(straights_[i], around_.delaunay.site(site), on_left);
           if (depth <= deepest_m) continue;
           deepest_m = depth;
           where = i + 1;
-          cut = bead(site, on_left, k);
+          cut = contact(site, on_left, k);
         }
       }
     }
     if (where == 0) return false;
-    beads_.insert(beads_.begin() + where, cut);
+    contacts_.insert(contacts_.begin() + where, cut);
     return true;
   }
 
-  bool is_bead(std::size_t i, SiteId site, bool on_left) const {
-    return beads_[i].site == site && beads_[i].on_left == on_left;
+  bool is_contact(std::size_t i, SiteId site, bool on_left) const {
+    return contacts_[i].site == site && contacts_[i].on_left == on_left;
   }
 
-  // Corners of the arc around bead i, halved until they clear their surroundings.
+  // Corners of the arc around contact i, halved until they clear their surroundings.
   void add_arc(std::size_t i, std::vector<Vec2>& points) const {
     const Vec2 &in = straights_[i - 1].direction, &out = straights_[i].direction;
     std::vector<Vec2> directions{in, out};
@@ -204,7 +205,7 @@ class TautString {
       if (sum.squaredNorm() > 1e-6)
         finer.push_back(sum.normalized());
       else  // half a turn
-        finer.push_back(left_of(directions[k - 1]) * (beads_[i].on_left ? 1 : -1));
+        finer.push_back(left_of(directions[k - 1]) * (contacts_[i].on_left ? 1 : -1));
     }
     finer.push_back(directions.back());
     directions.swap(finer);
@@ -212,7 +213,7 @@ class TautString {
 
   Vec2 corner(std::size_t i, const Vec2& d1, const Vec2& d2) const {
     const Vec2 n1 = left_of(d1), n2 = left_of(d2);
-    return beads_[i].center - beads_[i].signed_radius_m() / (1 + n1.dot(n2)) * (n1 + n2);
+    return contacts_[i].center - contacts_[i].signed_radius_m() / (1 + n1.dot(n2)) * (n1 + n2);
   }
 
   bool corners_are_clear(std::size_t i, const std::vector<Vec2>& directions) const {
@@ -227,13 +228,13 @@ class TautString {
     return around_.cells.swept_disc_is_clear(last, straights_[i].from, around_.check_radius_m);
   }
 
-  const TautSurroundings& around_;
+  const StringObstacles& around_;
   const Channel& channel_;
-  std::vector<Bead> beads_;
+  std::vector<Contact> contacts_;
   std::vector<Straight> straights_;
 };
 
-bool is_clear(const TautSurroundings& around, const std::vector<Vec2>& path) {
+bool is_clear(const StringObstacles& around, const std::vector<Vec2>& path) {
   for (std::size_t i = 1; i < path.size(); ++i)
     if (!around.domain.contains(path[i]) ||
         !around.cells.swept_disc_is_clear(path[i - 1], path[i], around.check_radius_m))
@@ -242,7 +243,7 @@ bool is_clear(const TautSurroundings& around, const std::vector<Vec2>& path) {
 }
 
 // From each point on to the farthest one that is found by doubling steps, then by halving.
-std::vector<Vec2> bypass(const TautSurroundings& around, const std::vector<Vec2>& path) {
+std::vector<Vec2> bypass(const StringObstacles& around, const std::vector<Vec2>& path) {
   std::vector<Vec2> kept{path.front()};
   for (std::size_t i = 0; i + 1 < path.size();) {
     const auto sees = [&](std::size_t j) {
@@ -271,9 +272,9 @@ std::vector<Vec2> strewn(const std::vector<Vec2>& path, double spacing_m) {
 
 }  // namespace
 
-std::optional<std::vector<Vec2>> pull_taut(const TautSurroundings& around, const Channel& channel,
-                                           const Vec2& start, const Vec2& goal) {
-  TautString string(around, channel, start, goal);
+std::optional<std::vector<Vec2>> pull_string(const StringObstacles& around, const Channel& channel,
+                                             const Vec2& start, const Vec2& goal) {
+  StringPulling string(around, channel, start, goal);
   constexpr int kMaxForeign = 8;
   for (int foreign = 0; foreign <= kMaxForeign; ++foreign) {
     if (!string.pull()) return std::nullopt;
@@ -285,7 +286,8 @@ std::optional<std::vector<Vec2>> pull_taut(const TautSurroundings& around, const
   return std::nullopt;
 }
 
-std::vector<Vec2> shortcut(const TautSurroundings& around, const std::vector<Vec2>& path) {
+std::vector<Vec2> shorten_by_shortcuts(const StringObstacles& around,
+                                       const std::vector<Vec2>& path) {
   if (path.size() < 3) return path;
   const std::vector<Vec2> coarse = bypass(around, path);
   return bypass(around, strewn(coarse, 0.5 * around.radius_m));

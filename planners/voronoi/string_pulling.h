@@ -10,7 +10,7 @@
 namespace voronaut {
 
 // What a path is pulled taut against. Site k + 4 of the triangulation is point k of the cells.
-struct TautSurroundings {
+struct StringObstacles {
   const DelaunayTriangulation& delaunay;
   const SiteCells& cells;
   Bounds domain;
@@ -24,14 +24,15 @@ struct TautSurroundings {
 // radius_m away from it, closer where another circle is close. Empty if the string cannot be pulled
 // without touching another site or leaving the domain; then nothing is claimed about the channel.
 // O(gates x sites touched).
-std::optional<std::vector<Vec2>> pull_taut(const TautSurroundings& around, const Channel& channel,
-                                           const Vec2& start, const Vec2& goal);
+std::optional<std::vector<Vec2>> pull_string(const StringObstacles& around, const Channel& channel,
+                                             const Vec2& start, const Vec2& goal);
 
 // Leaves out what a straight piece can bypass at check_radius_m, first between the vertices, then
 // between points strewn along the way: Bhattacharya and Gavrilova's shortcut (their test, printed
 // inverted, removes a vertex when the clearance of the bypass is too small). Never longer than the
 // path it is given. O(vertices log vertices) checks.
-std::vector<Vec2> shortcut(const TautSurroundings& around, const std::vector<Vec2>& path);
+std::vector<Vec2> shorten_by_shortcuts(const StringObstacles& around,
+                                       const std::vector<Vec2>& path);
 
 double length_m(const std::vector<Vec2>& path);
 

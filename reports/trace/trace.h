@@ -71,7 +71,7 @@ struct TraceImprovement {
 
 struct Trace {
   std::string trial_id;
-  bool known = false;  // static planning: nobody flew, the frames walk along the path at 1 m/s
+  bool static_planning = false;  // nobody flew, the frames walk along the path at 1 m/s
   double body_radius_m = 0;
   double clearance_min_m = 0;
   double field_of_view_rad = 0;

@@ -14,7 +14,7 @@ namespace {
 
 using nlohmann::json;
 
-constexpr int kVersion = 3;
+constexpr int kVersion = 4;
 constexpr double kPerMetre = kTracePerMetre;
 constexpr double kRangePerMetre = 100.0;
 constexpr std::int64_t kNoReturn = -1;
@@ -167,7 +167,7 @@ std::string trace_to_json(const Trace& trace) {
   out["edges"] = edges_to_json(trace.edges);
   out["searches"] = trace.searches;
   out["kept_searches"] = trace.kept_searches;
-  out["known"] = trace.known;
+  out["static"] = trace.static_planning;
   out["improvements"] = improvements_to_json(trace.improvements);
   out["frames"] = frames_to_json(trace);
   return json_text(out);
@@ -197,7 +197,7 @@ Trace trace_from_json(std::string_view text) {
     trace.edges = edges_from_json(in.at("edges"));
     in.at("searches").get_to(trace.searches);
     in.at("kept_searches").get_to(trace.kept_searches);
-    in.at("known").get_to(trace.known);
+    in.at("static").get_to(trace.static_planning);
     trace.improvements = improvements_from_json(in.at("improvements"));
     trace.frames = frames_from_json(in.at("frames"), trace.max_range_m);
     return trace;

@@ -12,12 +12,12 @@
 // number of a frame that is not finite becomes null and reads back as NaN; a range without a return
 // reads back as max_range_m.
 //
-// Layout (version 3):
-//   {"version":3, "trial_id":..., "body_radius_m":..., "clearance_min_m":...,
+// Layout (version 4):
+//   {"version":4, "trial_id":..., "body_radius_m":..., "clearance_min_m":...,
 //    "field_of_view_rad":..., "max_range_m":..., "modes":[...], "replan_reasons":[...],
 //    "solve_ends":[...], "plans":[[dx,dy,...],...], "known_points":[dx,dy,...], "cluster_of":[...],
 //    "merges":[frame,from,into,...], "hulls":[[dx,dy,...],...], "searches":n, "kept_searches":n,
-//    "known":false, "improvements":[[checks,...],[us,...],[um,...]],
+//    "static":false, "improvements":[[checks,...],[us,...],[um,...]],
 //    "edges":{"ends_cm":[dx,dy,...], "first":[...], "on":[searches more,...]},
 //    "frames":{"t_ms":[...], "x_mm":[...], ..., "range_cm":[[...],...], "tube_mm":[[...],...]}}
 // Polylines, improvements and the columns of frames hold differences from the previous entry, the

@@ -46,7 +46,7 @@ export interface Trace {
   frames: Frames;
 }
 
-const kVersion = 3;
+const kVersion = 4;
 
 function undelta(column: (number | null)[], scale: number): Float64Array {
   const out = new Float64Array(column.length);

@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "voronaut/benchmarks/results/output_folder.h"
+#include "voronaut/benchmarks/runner/run_trial.h"
 #include "voronaut/benchmarks/runner/runner.h"
 #include "voronaut/benchmarks/suite/suite_trials.h"
 #include "voronaut/reports/store/sqlite.h"
@@ -17,7 +18,7 @@ namespace voronaut {
 namespace {
 
 const std::string kSuite =
-    "suite: static\nkind: known\nscenarios:\n"
+    "suite: static\nkind: static\nscenarios:\n"
     "  - {name: pillar, world: {circles: [[2.5, 2.5, 1]]}, bounds: [[-1, -1], [6, 6]],"
     " start: [0, 0], goal: [5, 5]}\n"
     "  - {name: walled, world: {segments: [[[2, -1], [2, 6]]]}, bounds: [[-1, -1], [6, 6]],"
@@ -41,7 +42,7 @@ std::map<std::string, RunRecord> solve_all() {
   return rows;
 }
 
-TEST(KnownTrial, SolvesWithTheWholeWorldGivenAndRepeats) {
+TEST(StaticTrial, SolvesWithTheWholeWorldGivenAndRepeats) {
   const auto rows = solve_all();
   ASSERT_EQ(rows.size(), 6U);
   for (const char* planner : {"RRTConnect", "RRTstar", "VoronoiRoadmap"}) {
@@ -61,7 +62,7 @@ TEST(KnownTrial, SolvesWithTheWholeWorldGivenAndRepeats) {
   }
 }
 
-TEST(KnownTrial, SaysThatNoPathWasFoundWithinTheBudget) {
+TEST(StaticTrial, SaysThatNoPathWasFoundWithinTheBudget) {
   const auto rows = solve_all();
   EXPECT_EQ(rows.at("walled/RRTConnect").outcome, Outcome::timeout);
   EXPECT_EQ(rows.at("walled/RRTConnect").spl, 0);
@@ -70,7 +71,7 @@ TEST(KnownTrial, SaysThatNoPathWasFoundWithinTheBudget) {
 }
 
 // A suite of this kind, run and exported by the program; its Planner Arena database.
-class KnownSuite : public ::testing::Test {
+class StaticSuite : public ::testing::Test {
  protected:
   void SetUp() override {
     std::ofstream(folder_.path() / "static.yaml") << kSuite << "traces: all\n";
@@ -84,7 +85,7 @@ class KnownSuite : public ::testing::Test {
   TemporaryFolder folder_;
 };
 
-TEST_F(KnownSuite, ExportsTheCostOverWorkOfAnytimePlanners) {
+TEST_F(StaticSuite, ExportsTheCostOverWorkOfAnytimePlanners) {
   const sqlite::Database arena(folder_.path() / "arena.db", sqlite::OpenMode::existing);
   sqlite::Statement rows(arena,
                          "SELECT r.id, r.path_length_m, r.state_checks, p.best_cost, "
@@ -114,7 +115,7 @@ TEST_F(KnownSuite, ExportsTheCostOverWorkOfAnytimePlanners) {
 }
 
 // Planner Arena's plots are of `time`, the boxes of a path are empty without one.
-TEST_F(KnownSuite, ExportsEachSolveAsOmplsBenchmarkDoes) {
+TEST_F(StaticSuite, ExportsEachSolveAsOmplsBenchmarkDoes) {
   const sqlite::Database arena(folder_.path() / "arena.db", sqlite::OpenMode::existing);
   sqlite::Statement rows(arena,
                          "SELECT solved, time, planning_time_us_mean, solution_length, "
@@ -142,12 +143,12 @@ TEST_F(KnownSuite, ExportsEachSolveAsOmplsBenchmarkDoes) {
   EXPECT_GT(without_path, 0);
 }
 
-TEST_F(KnownSuite, KeepsATraceThatWalksAlongThePath) {
+TEST_F(StaticSuite, KeepsATraceThatWalksAlongThePath) {
   const OutputFolder folder = OutputFolder::open(folder_.path() / "r");
   for (const RunRecord& record : folder.store().records()) {
     const auto trace = folder.store().trace(record.trial_id);
     ASSERT_TRUE(trace) << record.planner;
-    EXPECT_TRUE(trace->known);
+    EXPECT_TRUE(trace->static_planning);
     EXPECT_EQ(trace->searches, 1);
     EXPECT_EQ(trace->edges.empty(), trace->kept_searches == 0) << record.planner;
     EXPECT_EQ(trace->frames.front().search, trace->kept_searches - 1) << record.planner;

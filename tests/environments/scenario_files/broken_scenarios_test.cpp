@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-#include "voronaut/environments/scenario/scenario_spec.h"
+#include "voronaut/environments/scenario_files/scenario_reader.h"
 
 namespace voronaut {
 namespace {

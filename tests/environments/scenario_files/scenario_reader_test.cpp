@@ -1,3 +1,5 @@
+#include "voronaut/environments/scenario_files/scenario_reader.h"
+
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -5,7 +7,6 @@
 
 #include <gtest/gtest.h>
 
-#include "voronaut/environments/scenario/scenario_spec.h"
 #include "voronaut/environments/world.h"
 
 namespace voronaut {

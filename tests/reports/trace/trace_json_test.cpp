@@ -101,10 +101,10 @@ TEST(TraceJson, KeepsEverythingAtTheStatedResolution) {
 
 TEST(TraceJson, KeepsWhatAStaticPlanCost) {
   Trace trace;
-  trace.known = true;
+  trace.static_planning = true;
   trace.improvements = {{100, 0.0012, 15.25}, {250, 0.004001, 14.5}};
   const Trace back = decompress_trace(compress_trace(trace));
-  EXPECT_TRUE(back.known);
+  EXPECT_TRUE(back.static_planning);
   ASSERT_EQ(back.improvements.size(), 2U);
   EXPECT_EQ(back.improvements[1].state_checks, 250);
   EXPECT_NEAR(back.improvements[1].time_s, 0.004001, 1e-9);
@@ -177,7 +177,7 @@ TEST(TraceJson, RefusesWhatItDoesNotWrite) {
   };
   EXPECT_THROW(trace_from_json(""), std::invalid_argument);
   EXPECT_THROW(trace_from_json("[]"), std::invalid_argument);
-  EXPECT_THROW(trace_from_json(broken(R"("version":3)", R"("version":2)")), std::invalid_argument);
+  EXPECT_THROW(trace_from_json(broken(R"("version":4)", R"("version":3)")), std::invalid_argument);
   EXPECT_THROW(trace_from_json(broken(R"("x_mm":[0,0])", R"("x_mm":[0])")), std::invalid_argument);
   EXPECT_THROW(trace_from_json(broken(R"("mode":[-1)", R"("mode":[null)")), std::invalid_argument);
   EXPECT_THROW(trace_from_json(broken(R"("known":[0)", R"("known":[-5)")), std::invalid_argument);
