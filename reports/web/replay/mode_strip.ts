@@ -3,12 +3,12 @@ import { axisBottom } from "d3-axis";
 import { scaleLinear } from "d3-scale";
 import { select } from "d3-selection";
 
-import type { Trial } from "./data";
-import { csv, svg } from "./dom";
-import { figureOf, legend } from "./figure";
-import { Palette } from "./palette";
+import type { Trial } from "../data/data";
+import { csv, svg } from "../elements/dom";
+import { figureOf, legend } from "../plots/figure";
+import { Palette } from "../elements/palette";
 import { kHeight, kMargin, kWidth, Series } from "./time_series";
-import { Trace } from "./trace";
+import { Trace } from "../data/trace";
 
 interface Stretch {
   mode: number;  // index into Trace.modes

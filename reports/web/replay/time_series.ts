@@ -3,13 +3,13 @@ import { axisBottom, axisLeft } from "d3-axis";
 import { scaleLinear } from "d3-scale";
 import { select } from "d3-selection";
 
-import { Trial } from "./data";
-import { csv, fixed, svg } from "./dom";
-import { Palette } from "./palette";
-import { figureOf, legend } from "./figure";
+import { Trial } from "../data/data";
+import { csv, fixed, svg } from "../elements/dom";
+import { Palette } from "../elements/palette";
+import { figureOf, legend } from "../plots/figure";
 import { frameAt } from "./replay_geometry";
-import { probe } from "./tooltip";
-import { Frames, Trace } from "./trace";
+import { probe } from "../elements/tooltip";
+import { Frames, Trace } from "../data/trace";
 
 export const kWidth = 560;
 export const kHeight = 170;

@@ -1,14 +1,14 @@
 // The five situations of the quadrotor paper's figure 9 in its order, with the numbers beside.
-import { Report, Trial, vehicleOf } from "./data";
-import { plannerCell } from "./cells";
-import { el, fixed, nameOf, select } from "./dom";
+import { Report, Trial, vehicleOf } from "../data/data";
+import { plannerCell } from "../elements/cells";
+import { el, fixed, nameOf, select } from "../elements/dom";
 import { waysButtons } from "./drawn_ways";
-import { replayLink } from "./links";
-import { outcomeSign, outcomeWords, Palette } from "./palette";
-import { Filter, keeps } from "./sample";
-import { firstPerPlanner, Scene, scenesOf } from "./scene";
+import { replayLink } from "../elements/links";
+import { outcomeSign, outcomeWords, Palette } from "../elements/palette";
+import { Filter, keeps } from "../data/sample";
+import { firstPerPlanner, Scene, scenesOf } from "../data/scene";
 import { sceneDrawing, whenSeen } from "./scenes";
-import { Column, table } from "./table";
+import { Column, table } from "../elements/table";
 
 const kScenes: [scenario: string, caption: string][] = [
   ["paper-between", "(a) between obstacles"],

@@ -1,9 +1,9 @@
 // One moment of a trace in words, beside its picture. "governor": the share of the speed asked for that
 // it allowed, and the way to rest; "search": how many edges the latest one looked at, and which it is.
-import { fixed } from "./dom";
+import { fixed } from "../elements/dom";
 import { wordsOf } from "./mode_strip";
 import { hullsOf, searchedEdges } from "./replay_geometry";
-import { Trace } from "./trace";
+import { Trace } from "../data/trace";
 
 function governorAt(trace: Trace, k: number): string {
   const tube = trace.frames.tube[k];

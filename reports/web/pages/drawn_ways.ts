@@ -1,8 +1,8 @@
 // What a drawing of a scene is taken away as: the picture, or the numbers of the ways in it.
-import { Report, Trial } from "./data";
-import { button, csv, saveText } from "./dom";
-import { standaloneSvg } from "./take_away";
-import { hasTrace, loadTrace } from "./trace";
+import { Report, Trial } from "../data/data";
+import { button, csv, saveText } from "../elements/dom";
+import { standaloneSvg } from "../elements/take_away";
+import { hasTrace, loadTrace } from "../data/trace";
 
 async function waysOf(report: Report, trials: Trial[]): Promise<string> {
   const drawn = trials.filter((t) => hasTrace(report, t.trial_id));

@@ -4,11 +4,11 @@ import { axisBottom } from "d3-axis";
 import { ascending, quantile } from "d3-array";
 import { scaleBand, scaleLinear, scaleLog } from "d3-scale";
 
-import { kGoal, Trial } from "./data";
-import { csv, fixed, svg } from "./dom";
+import { kGoal, Trial } from "../data/data";
+import { csv, fixed, svg } from "../elements/dom";
 import { drawAxes, figureOf, frame, kHeight, kMargin, kWidth, legend } from "./figure";
-import { outcomeWords, Palette } from "./palette";
-import { Sample, Value } from "./sample";
+import { outcomeWords, Palette } from "../elements/palette";
+import { Sample, Value } from "../data/sample";
 
 const kMostDots = 400;  // of a row; failures are always drawn
 

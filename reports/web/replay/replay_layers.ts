@@ -1,5 +1,5 @@
 // What a replay draws, each layer with a sample of its ink and a switch.
-import { checkbox, el, svg } from "./dom";
+import { checkbox, el, svg } from "../elements/dom";
 
 export interface Layers {
   truth: boolean;

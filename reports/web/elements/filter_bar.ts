@@ -1,8 +1,8 @@
 // What is shown: a scenario group, a vehicle, some of the planners. It is the legend too.
-import type { Report } from "./data";
+import type { Report } from "../data/data";
 import { el, nameOf, select } from "./dom";
 import { Palette } from "./palette";
-import type { Filter } from "./sample";
+import type { Filter } from "../data/sample";
 
 function plannerChip(planner: string, palette: Palette, filter: Filter, changed: () => void): HTMLElement {
   const chip = el("button", { type: "button", class: `chip ${palette.className(planner)}`,

@@ -1,12 +1,12 @@
 // One drawing per scenario and world: what is there, what was known of it at the end, and the ways.
-import { kGoal, Report, Trial, World } from "./data";
-import { button, el, fixed, nameOf, select, svg } from "./dom";
+import { kGoal, Report, Trial, World } from "../data/data";
+import { button, el, fixed, nameOf, select, svg } from "../elements/dom";
 import { waysButtons } from "./drawn_ways";
-import { outcomeSign, outcomeWords, Palette } from "./palette";
-import { replayLink } from "./links";
-import { Filter, keeps } from "./sample";
-import { extentOf, firstPerPlanner, Scene, scenesOf } from "./scene";
-import { loadTrace, Trace } from "./trace";
+import { outcomeSign, outcomeWords, Palette } from "../elements/palette";
+import { replayLink } from "../elements/links";
+import { Filter, keeps } from "../data/sample";
+import { extentOf, firstPerPlanner, Scene, scenesOf } from "../data/scene";
+import { loadTrace, Trace } from "../data/trace";
 
 const kSide = 400;  // of the drawing, in its own units
 const kMostAtOnce = 24;

@@ -1,17 +1,17 @@
 // Up to four trials of one scene on one clock.
-import { kGoal, Report, Trial, World } from "./data";
-import { button, checkbox, el, fixed, nameOf, select } from "./dom";
-import { readReplayLink, replayLink, ReplayPlace } from "./links";
-import { outcomeSign, outcomeWords, Palette } from "./palette";
+import { kGoal, Report, Trial, World } from "../data/data";
+import { button, checkbox, el, fixed, nameOf, select } from "../elements/dom";
+import { readReplayLink, replayLink, ReplayPlace } from "../elements/links";
+import { outcomeSign, outcomeWords, Palette } from "../elements/palette";
 import { Ink, Painter, readInk } from "./replay_canvas";
 import { factsAt } from "./replay_facts";
 import { frameAt, speedRamp } from "./replay_geometry";
 import { everyLayer, layerSwitches } from "./replay_layers";
-import { commandOf } from "./repeat_command";
-import { extentOf, firstPerPlanner, Scene, scenesOf } from "./scene";
+import { commandOf } from "../elements/repeat_command";
+import { extentOf, firstPerPlanner, Scene, scenesOf } from "../data/scene";
 import { modeStrip } from "./mode_strip";
 import { kQuantities, Series, timeSeries } from "./time_series";
-import { loadTrace, Trace } from "./trace";
+import { loadTrace, Trace } from "../data/trace";
 
 const kMostPanels = 4;
 const kScan_s = 0.05;

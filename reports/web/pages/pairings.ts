@@ -1,10 +1,10 @@
 // Who beats whom on the same worlds.
-import { groupName, plannerCell, rateCell } from "./cells";
-import { byName, PlannerPairing, Report, vehicleOf } from "./data";
-import { el, fixed, nameOf, percent, svg } from "./dom";
-import { Palette } from "./palette";
-import type { Filter } from "./sample";
-import { Column, table } from "./table";
+import { groupName, plannerCell, rateCell } from "../elements/cells";
+import { byName, PlannerPairing, Report, vehicleOf } from "../data/data";
+import { el, fixed, nameOf, percent, svg } from "../elements/dom";
+import { Palette } from "../elements/palette";
+import type { Filter } from "../data/sample";
+import { Column, table } from "../elements/table";
 
 const kBar_px = 92;
 

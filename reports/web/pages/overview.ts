@@ -1,11 +1,11 @@
 // Who arrives, how well, and who beats whom.
-import { estimateCell, groupName, plannerCell, rateCell } from "./cells";
-import { byName, byVehicle, Estimate, PlannerPairing, PlannerSummary, Report, vehicleOf } from "./data";
-import { el, fixed, nameOf, percent } from "./dom";
+import { estimateCell, groupName, plannerCell, rateCell } from "../elements/cells";
+import { byName, byVehicle, Estimate, PlannerPairing, PlannerSummary, Report, vehicleOf } from "../data/data";
+import { el, fixed, nameOf, percent } from "../elements/dom";
 import { pairingSection } from "./pairings";
-import { outcomeSign, outcomeWords, Palette } from "./palette";
-import type { Filter } from "./sample";
-import { Column, table } from "./table";
+import { outcomeSign, outcomeWords, Palette } from "../elements/palette";
+import type { Filter } from "../data/sample";
+import { Column, table } from "../elements/table";
 
 function otherOutcomes(summary: PlannerSummary): HTMLElement {
   const texts = Object.entries(summary.outcomes)

@@ -1,5 +1,5 @@
 // Numbers with what they rest on: interval, n.
-import type { Estimate, Rate } from "./data";
+import type { Estimate, Rate } from "../data/data";
 import { el, fixed, nameOf, percent, svg } from "./dom";
 import { Palette } from "./palette";
 

@@ -1,7 +1,7 @@
 // Where the numbers come from: the manifest as it was written, and how to repeat them.
-import { Report } from "./data";
-import { el } from "./dom";
-import { repeatCommand, shellWord } from "./repeat_command";
+import { Report } from "../data/data";
+import { el } from "../elements/dom";
+import { repeatCommand, shellWord } from "../elements/repeat_command";
 
 type Entry = [path: string, value: string];
 

@@ -1,21 +1,6 @@
 // One recorded lidar log as the map sees it, on a canvas: tens of thousands of points.
-import { el } from "./dom";
-
-interface Places {
-  x: number[];
-  y: number[];
-}
-
-export interface MappedLog {
-  name: string;
-  scans: number;
-  return_count: number;
-  invalid: number;  // ranges that were no measurement
-  clusters: number;
-  points: Places & { cluster: number[] };
-  returns: Places;  // a share of all
-  track: Places;
-}
+import type { MappedLog } from "../data/mapped_log";
+import { el } from "../elements/dom";
 
 const kWidthPx = 1120;
 const kBorderPx = 16;

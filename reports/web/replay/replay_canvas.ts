@@ -1,10 +1,10 @@
 // One moment of one trial on a canvas: the true world faint, what is known by then, what is seen now,
 // the plan, and the way so far coloured by speed.
-import { kGoal, Trial, World } from "./data";
-import { outcomeSign } from "./palette";
+import { kGoal, Trial, World } from "../data/data";
+import { outcomeSign } from "../elements/palette";
 import { hullsOf, kSpeedBins, Point, rayEnds, searchedEdges, speedRamp } from "./replay_geometry";
 import { Layers } from "./replay_layers";
-import { Trace } from "./trace";
+import { Trace } from "../data/trace";
 
 export interface Ink {
   bg: string; ink: string; soft: string; line: string; obstacle: string; edge: string;

@@ -1,7 +1,7 @@
 // What a moment of a trace looks like, without drawing it.
 import { scaleLinear } from "d3-scale";
 
-import { Trace } from "./trace";
+import { Trace } from "../data/trace";
 
 // Cividis (Nunez, Anderton, Renslow, doi:10.1371/journal.pone.0199239), sampled: even in lightness and
 // the same to colour-blind eyes. The ends are cut, so that both stand out from a light and a dark page.

@@ -1,11 +1,11 @@
 // How the trials of each planner spread. Vehicles are compared with their like only: one set of plots
 // for each.
-import { boxPlot } from "./box_plot";
-import type { Report, Trial } from "./data";
-import { el } from "./dom";
-import { ecdfPlot } from "./ecdf_plot";
-import { Palette } from "./palette";
-import { Filter, samplesOf } from "./sample";
+import { boxPlot } from "../plots/box_plot";
+import type { Report, Trial } from "../data/data";
+import { el } from "../elements/dom";
+import { ecdfPlot } from "../plots/ecdf_plot";
+import { Palette } from "../elements/palette";
+import { Filter, samplesOf } from "../data/sample";
 
 function plotsOf(report: Report, palette: Palette, filter: Filter, suffix: string): HTMLElement {
   const samples = samplesOf(report, filter);

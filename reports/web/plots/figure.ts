@@ -3,9 +3,9 @@
 import { axisBottom, axisLeft } from "d3-axis";
 import { select } from "d3-selection";
 
-import { button, el, nameOf, saveText, svg } from "./dom";
-import { Palette } from "./palette";
-import { standaloneSvg } from "./take_away";
+import { button, el, nameOf, saveText, svg } from "../elements/dom";
+import { Palette } from "../elements/palette";
+import { standaloneSvg } from "../elements/take_away";
 
 export const kWidth = 560;
 export const kHeight = 340;

@@ -3,12 +3,13 @@
 import { axisBottom, axisLeft } from "d3-axis";
 import { scaleLog } from "d3-scale";
 
-import type { MappingData } from "./data";
-import { button, csv, el, fixed, saveText, svg } from "./dom";
-import { drawAxes, figureOf, frame, kHeight, kMargin, kWidth, legend } from "./figure";
-import { drawLog, MappedLog } from "./mapped_log";
-import { Cost, costsOf, exponentOf, kAnswers } from "./micro_results";
-import { Palette } from "./palette";
+import type { MappingData } from "../data/data";
+import { button, csv, el, fixed, saveText, svg } from "../elements/dom";
+import { drawAxes, figureOf, frame, kHeight, kMargin, kWidth, legend } from "../plots/figure";
+import type { MappedLog } from "../data/mapped_log";
+import { drawLog } from "../plots/mapped_log";
+import { Cost, costsOf, exponentOf, kAnswers } from "../data/micro_results";
+import { Palette } from "../elements/palette";
 
 export interface MappingResults extends MappingData {
   title: string;

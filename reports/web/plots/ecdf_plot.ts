@@ -3,12 +3,12 @@ import { axisLeft } from "d3-axis";
 import { ascending, bisectRight, quantile } from "d3-array";
 import { scaleLinear } from "d3-scale";
 
-import { kGoal } from "./data";
-import { csv, fixed, percent, svg } from "./dom";
+import { kGoal } from "../data/data";
+import { csv, fixed, percent, svg } from "../elements/dom";
 import { drawAxes, figureOf, frame, kHeight, kMargin, kWidth, legend } from "./figure";
-import { Palette } from "./palette";
-import { Sample, Value } from "./sample";
-import { probe } from "./tooltip";
+import { Palette } from "../elements/palette";
+import { Sample, Value } from "../data/sample";
+import { probe } from "../elements/tooltip";
 
 interface Curve {
   planner: string;

@@ -1,12 +1,12 @@
 // This run against another one: what changed, trial by trial of the same scenario and repetition.
-import { groupName, plannerCell } from "./cells";
-import { byName, Estimate, kGoal, OutcomeChange, PlannerChange, Rate, Report, vehicleOf } from "./data";
-import { el, fixed, nameOf, percent } from "./dom";
-import { replayLink } from "./links";
-import { outcomeSign, outcomeWords, Palette } from "./palette";
-import type { Filter } from "./sample";
-import { Column, table } from "./table";
-import { hasTrace } from "./trace";
+import { groupName, plannerCell } from "../elements/cells";
+import { byName, Estimate, kGoal, OutcomeChange, PlannerChange, Rate, Report, vehicleOf } from "../data/data";
+import { el, fixed, nameOf, percent } from "../elements/dom";
+import { replayLink } from "../elements/links";
+import { outcomeSign, outcomeWords, Palette } from "../elements/palette";
+import type { Filter } from "../data/sample";
+import { Column, table } from "../elements/table";
+import { hasTrace } from "../data/trace";
 
 function signed(value: number | null, decimals: number): string {
   const text = fixed(value === null ? null : 100 * value, decimals);

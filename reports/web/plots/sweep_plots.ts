@@ -2,12 +2,12 @@
 import { axisLeft } from "d3-axis";
 import { scaleLinear, scaleLog } from "d3-scale";
 
-import type { Estimate, PlannerSummary, Report } from "./data";
-import { csv, el, fixed, svg } from "./dom";
+import type { Estimate, PlannerSummary, Report } from "../data/data";
+import { csv, el, fixed, svg } from "../elements/dom";
 import { drawAxes, figureOf, frame, kHeight, kMargin, kWidth, legend } from "./figure";
-import { Palette } from "./palette";
-import type { Filter } from "./sample";
-import { Sweep, SweepPoint, sweepsOf } from "./sweep";
+import { Palette } from "../elements/palette";
+import type { Filter } from "../data/sample";
+import { Sweep, SweepPoint, sweepsOf } from "../data/sweep";
 
 interface Metric {
   id: string;

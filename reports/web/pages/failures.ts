@@ -1,14 +1,14 @@
 // Every trial that did not reach the goal, with its reason.
-import { byName, kGoal, Report, Trial, vehicleOf, World } from "./data";
-import { button, el, fixed, nameOf, select } from "./dom";
-import { replayLink } from "./links";
-import { outcomeSign, outcomeWords, Palette } from "./palette";
-import { commandOf } from "./repeat_command";
-import { Filter, keeps } from "./sample";
-import { Scene, scenesOf } from "./scene";
+import { byName, kGoal, Report, Trial, vehicleOf, World } from "../data/data";
+import { button, el, fixed, nameOf, select } from "../elements/dom";
+import { replayLink } from "../elements/links";
+import { outcomeSign, outcomeWords, Palette } from "../elements/palette";
+import { commandOf } from "../elements/repeat_command";
+import { Filter, keeps } from "../data/sample";
+import { Scene, scenesOf } from "../data/scene";
 import { sceneDrawing, whenSeen } from "./scenes";
-import { Column, table } from "./table";
-import { hasTrace } from "./trace";
+import { Column, table } from "../elements/table";
+import { hasTrace } from "../data/trace";
 
 const kMostRows = 200;
 const kBeforeTheEnd_s = 2;

@@ -1,5 +1,5 @@
 // The command that flies a trial again and says whether it is the same to the last bit.
-import type { Report, Trial } from "./data";
+import type { Report, Trial } from "../data/data";
 import { button, el } from "./dom";
 
 export function shellWord(word: unknown): string {
