@@ -55,7 +55,7 @@ std::vector<std::string> settings_of(const Json& manifest, const std::string& la
 PlannerBenchmark benchmark_of(const OutputFolder& folder) {
   const Json manifest = manifest_of(folder);
   PlannerBenchmark benchmark;
-  benchmark.known = text_at(manifest, "/configuration/kind") == "known";
+  benchmark.static_planning = text_at(manifest, "/configuration/kind") == "static";
   benchmark.name = text_at(manifest, "/configuration/suite");
   benchmark.version = text_at(manifest, "/program/version") + "+" +
                       text_at(manifest, "/program/commit").substr(0, 8);

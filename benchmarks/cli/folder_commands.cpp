@@ -4,6 +4,7 @@
 #include "voronaut/benchmarks/cli/commands.h"
 #include "voronaut/benchmarks/results/digest.h"
 #include "voronaut/benchmarks/results/output_folder.h"
+#include "voronaut/benchmarks/runner/run_trial.h"
 #include "voronaut/benchmarks/runner/runner.h"
 #include "voronaut/benchmarks/suite/suite_trials.h"
 #include "voronaut/reports/summary/summary_text.h"

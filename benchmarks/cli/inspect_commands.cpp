@@ -3,13 +3,14 @@
 #include <ostream>
 
 #include "voronaut/benchmarks/cli/commands.h"
-#include "voronaut/benchmarks/runner/child_process.h"
+#include "voronaut/benchmarks/isolation/child_process.h"
 #include "voronaut/benchmarks/suite/shipped_files.h"
 #include "voronaut/benchmarks/suite/suite_config.h"
 #include "voronaut/benchmarks/suite/suite_trials.h"
 #include "voronaut/environments/formats/data_sets.h"
 #include "voronaut/environments/formats/foreign_formats.h"
 #include "voronaut/environments/generators/world_generators.h"
+#include "voronaut/environments/scenario_files/scenario_reader.h"
 #include "voronaut/planners/problem/problem.h"
 #include "voronaut/reports/summary/text_table.h"
 

@@ -6,7 +6,7 @@
 
 #include <dlfcn.h>
 
-#include "voronaut/benchmarks/runner/child_process.h"
+#include "voronaut/benchmarks/isolation/child_process.h"
 #include "voronaut/planners/catalog/plugin.h"
 
 namespace voronaut {

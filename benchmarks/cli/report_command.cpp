@@ -3,9 +3,9 @@
 #include <stdexcept>
 
 #include "voronaut/benchmarks/cli/commands.h"
-#include "voronaut/benchmarks/micro/mapped_logs.h"
+#include "voronaut/benchmarks/results/mapped_logs.h"
 #include "voronaut/benchmarks/results/output_folder.h"
-#include "voronaut/environments/scenario.h"
+#include "voronaut/environments/scenario/scenario_spec.h"
 #include "voronaut/reports/page/html_report.h"
 #include "voronaut/reports/page/mapping_report.h"
 #include "voronaut/reports/store/atomic_file.h"
@@ -39,7 +39,7 @@ ExitCode report_mapping(const ReportOptions& options, const CommandContext& cont
   const std::filesystem::path page =
       options.out.empty() ? std::filesystem::path(options.folder).replace_extension(".html")
                           : std::filesystem::path(options.out);
-  write_mapping_report(options.folder, micro::map_logs(data), page);
+  write_mapping_report(options.folder, map_logs(data), page);
   context.out << page.string() << "\n";
   return ExitCode::success;
 }
@@ -48,7 +48,7 @@ ExitCode report_mapping(const ReportOptions& options, const CommandContext& cont
 std::string mapping_beside(const OutputFolder& folder, const ReportOptions& options) {
   const std::filesystem::path micro = folder.file("micro.json");
   if (!std::filesystem::exists(micro)) return {};
-  return mapping_data_json(micro, micro::map_logs(DataLocation::find(options.data).folder));
+  return mapping_data_json(micro, map_logs(DataLocation::find(options.data).folder));
 }
 
 }  // namespace

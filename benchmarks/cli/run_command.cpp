@@ -8,8 +8,9 @@
 #include <unistd.h>
 
 #include "voronaut/benchmarks/cli/commands.h"
+#include "voronaut/benchmarks/isolation/process_pool.h"
 #include "voronaut/benchmarks/results/output_folder.h"
-#include "voronaut/benchmarks/runner/process_pool.h"
+#include "voronaut/benchmarks/runner/run_trial.h"
 #include "voronaut/benchmarks/runner/runner.h"
 #include "voronaut/benchmarks/suite/shipped_files.h"
 #include "voronaut/benchmarks/suite/suite_trials.h"

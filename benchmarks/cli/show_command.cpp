@@ -4,6 +4,7 @@
 #include "voronaut/benchmarks/cli/commands.h"
 #include "voronaut/benchmarks/episode/episode_trace.h"
 #include "voronaut/environments/formats/foreign_formats.h"
+#include "voronaut/environments/scenario_files/scenario_reader.h"
 #include "voronaut/environments/world.h"
 #include "voronaut/reports/figures/figure_file.h"
 

@@ -6,11 +6,11 @@
 #include <ompl/base/Planner.h>
 
 #include "voronaut/benchmarks/episode/episode_log.h"
-#include "voronaut/benchmarks/suite/trial.h"
+#include "voronaut/benchmarks/trial/trial.h"
 #include "voronaut/dynamics/model.h"
 #include "voronaut/dynamics/regulator.h"
 #include "voronaut/environments/random.h"
-#include "voronaut/planners/mapping/free_space.h"
+#include "voronaut/planners/mapping/free_space/free_space.h"
 #include "voronaut/planners/mapping/virtual_obstacles.h"
 #include "voronaut/planners/navigation/gaze.h"
 #include "voronaut/planners/navigation/look_around.h"

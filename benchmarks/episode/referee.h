@@ -4,9 +4,9 @@
 #include <optional>
 #include <string>
 
-#include "voronaut/benchmarks/episode/loop_config.h"
+#include "voronaut/benchmarks/trial/loop_config.h"
 #include "voronaut/dynamics/state.h"
-#include "voronaut/environments/scenario.h"
+#include "voronaut/environments/scenario/scenario.h"
 #include "voronaut/environments/world.h"
 #include "voronaut/reports/run_record.h"
 

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "voronaut/environments/shapes/geometry.h"
-#include "voronaut/reports/trace.h"
+#include "voronaut/reports/trace/trace.h"
 
 namespace voronaut {
 

@@ -3,7 +3,7 @@
 #include <ompl/util/Console.h>
 
 #include "voronaut/benchmarks/episode/episode.h"
-#include "voronaut/environments/scenario.h"
+#include "voronaut/environments/scenario/scenario_spec.h"
 #include "voronaut/environments/world.h"
 
 namespace voronaut::micro {

@@ -6,13 +6,13 @@
 
 #include <benchmark/benchmark.h>
 
-#include "voronaut/benchmarks/micro/carmen_log.h"
-#include "voronaut/benchmarks/micro/mapped_logs.h"
-#include "voronaut/benchmarks/micro/measured_scan.h"
+#include "voronaut/benchmarks/micro/peers/measured_scan.h"
 #include "voronaut/benchmarks/micro/peers/naive_map.h"
 #include "voronaut/benchmarks/micro/peers/occupancy_grid.h"
 #include "voronaut/benchmarks/micro/workload.h"
+#include "voronaut/benchmarks/results/mapped_logs.h"
 #include "voronaut/environments/random.h"
+#include "voronaut/environments/sensing/carmen_log.h"
 #include "voronaut/planners/mapping/obstacle_base.h"
 #ifdef VORONAUT_WITH_NANOFLANN
 #include "voronaut/benchmarks/micro/peers/nanoflann_map.h"

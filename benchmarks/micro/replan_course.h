@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "voronaut/environments/random.h"
-#include "voronaut/environments/scenario.h"
+#include "voronaut/environments/scenario/scenario_spec.h"
 #include "voronaut/environments/sensing/range_finder.h"
 #include "voronaut/planners/catalog/catalog.h"
 #include "voronaut/planners/mapping/obstacle_base.h"

@@ -9,12 +9,12 @@
 #include <benchmark/benchmark.h>
 
 #include "voronaut/benchmarks/micro/workload.h"
-#include "voronaut/planners/mapping/cluster_base.h"
+#include "voronaut/planners/mapping/index/point_index.h"
 #include "voronaut/planners/mapping/obstacle_base.h"
-#include "voronaut/planners/mapping/point_index.h"
-#include "voronaut/planners/mapping/scan_clusterer.h"
-#include "voronaut/planners/mapping/scan_joining.h"
-#include "voronaut/planners/mapping/scan_returns.h"
+#include "voronaut/planners/mapping/stages/cluster_base.h"
+#include "voronaut/planners/mapping/stages/scan_clusterer.h"
+#include "voronaut/planners/mapping/stages/scan_joining.h"
+#include "voronaut/planners/mapping/stages/scan_returns.h"
 
 // Each stage of the mapping step alone, on what the stages before it make of the forest's scans.
 // Times are per scan.

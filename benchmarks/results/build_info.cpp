@@ -12,8 +12,8 @@
 #include <sys/utsname.h>
 #include <unistd.h>
 
-#include "voronaut/benchmarks/results/sha256.h"
 #include "voronaut/benchmarks/results/source_state.h"
+#include "voronaut/benchmarks/trial/sha256.h"
 
 namespace voronaut {
 

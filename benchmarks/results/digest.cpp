@@ -7,7 +7,7 @@
 #include <tuple>
 #include <type_traits>
 
-#include "voronaut/benchmarks/results/sha256.h"
+#include "voronaut/benchmarks/trial/sha256.h"
 #include "voronaut/environments/config/config_node.h"
 
 namespace voronaut {

@@ -1,9 +1,10 @@
 #include "voronaut/benchmarks/results/manifest.h"
 
 #include "voronaut/benchmarks/results/build_info.h"
-#include "voronaut/benchmarks/results/sha256.h"
-#include "voronaut/benchmarks/suite/budget_config.h"
 #include "voronaut/benchmarks/suite/config_json.h"
+#include "voronaut/benchmarks/trial/budget_config.h"
+#include "voronaut/benchmarks/trial/sha256.h"
+#include "voronaut/environments/scenario/scenario_spec.h"
 
 namespace voronaut {
 
@@ -53,7 +54,7 @@ Json scenario_json(const ScenarioSpec& scenario) {
 // What decides results; the rest decides how many and what is kept of them.
 Json defining_json(const SuiteConfig& suite) {
   return {{"suite", suite.name},
-          {"kind", suite.kind == TrialKind::known ? "known" : "flown"},
+          {"kind", suite.kind == TrialKind::static_planning ? "static" : "flown"},
           {"seed", suite.seed},
           {"scenarios", list_json(suite.scenarios, scenario_json)},
           {"vehicles", list_json(suite.vehicles, vehicle_json)},

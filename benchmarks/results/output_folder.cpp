@@ -9,6 +9,7 @@
 
 #include "voronaut/benchmarks/results/build_info.h"
 #include "voronaut/environments/config/nearest_name.h"
+#include "voronaut/environments/scenario/scenario_spec.h"
 #include "voronaut/reports/page/html_report.h"
 #include "voronaut/reports/store/atomic_file.h"
 #include "voronaut/reports/store/csv_writer.h"

@@ -2,11 +2,12 @@
 
 #include <stdexcept>
 
+#include "voronaut/benchmarks/episode/episode_trace.h"
+#include "voronaut/benchmarks/isolation/process_pool.h"
 #include "voronaut/benchmarks/runner/packed_trial.h"
-#include "voronaut/benchmarks/runner/process_pool.h"
 #include "voronaut/benchmarks/suite/suite_trials.h"
 #include "voronaut/environments/config/config_node.h"
-#include "voronaut/reports/page/trace_json.h"
+#include "voronaut/reports/trace/trace_json.h"
 
 namespace voronaut {
 

@@ -7,7 +7,7 @@
 #include "voronaut/benchmarks/runner/progress.h"
 #include "voronaut/benchmarks/suite/shortest_references.h"
 #include "voronaut/benchmarks/suite/suite_config.h"
-#include "voronaut/benchmarks/suite/trial.h"
+#include "voronaut/benchmarks/trial/trial.h"
 #include "voronaut/reports/store/store.h"
 
 namespace voronaut {

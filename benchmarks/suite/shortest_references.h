@@ -5,7 +5,7 @@
 #include <string>
 #include <utility>
 
-#include "voronaut/benchmarks/suite/trial.h"
+#include "voronaut/benchmarks/trial/trial.h"
 
 namespace voronaut {
 

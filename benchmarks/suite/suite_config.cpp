@@ -5,9 +5,10 @@
 #include <map>
 #include <stdexcept>
 
-#include "voronaut/benchmarks/suite/budget_config.h"
+#include "voronaut/benchmarks/trial/budget_config.h"
 #include "voronaut/environments/config/config_reader.h"
 #include "voronaut/environments/config/nearest_name.h"
+#include "voronaut/environments/scenario_files/scenario_reader.h"
 
 namespace voronaut {
 
@@ -52,6 +53,12 @@ std::vector<Item> read_list(const ConfigNode& node, const Read& read, const Name
   return items;
 }
 
+TrialKind read_kind(const ConfigNode& kind) {
+  if (kind.is_scalar() && kind.text() == "known")
+    throw kind.error("'known' is called 'static' now (allowed: flown, static)");
+  return kind.choice({"flown", "static"}) == 0 ? TrialKind::flown : TrialKind::static_planning;
+}
+
 DataLocation data_location(const ConfigNode& root, const std::string& data_argument) {
   DataLocation data = DataLocation::find(data_argument);
   const auto named = root.find("data");
@@ -83,7 +90,7 @@ void require_drivable(const ConfigNode& root, const SuiteConfig& suite) {
   const auto wheeled =
       std::find_if(suite.vehicles.begin(), suite.vehicles.end(),
                    [](const VehicleEntry& entry) { return is_wheeled(entry.vehicle); });
-  if (wheeled == suite.vehicles.end() || suite.kind == TrialKind::known) return;
+  if (wheeled == suite.vehicles.end() || suite.kind == TrialKind::static_planning) return;
   const std::string who = "vehicle " + in_quotes(wheeled->vehicle.name);
   const std::vector<ConfigNode> entries = root.child("planners").items();
   for (std::size_t i = 0; i < suite.planners.size(); ++i) {
@@ -114,8 +121,7 @@ SuiteConfig read_suite(const ConfigNode& root, const std::string& data_argument,
                    "budget", "limits", "traces", "claims"});
   SuiteConfig suite;
   suite.name = read_name(root.child("suite"));
-  if (const auto kind = root.find("kind"))
-    suite.kind = static_cast<TrialKind>(kind->choice({"flown", "known"}));
+  if (const auto kind = root.find("kind")) suite.kind = read_kind(*kind);
   if (const auto seed = root.find("seed"))
     suite.seed = static_cast<std::uint64_t>(seed->whole_number(0, kLargest));
   if (const auto repetitions = root.find("repetitions"))

@@ -4,12 +4,12 @@
 #include <string>
 #include <vector>
 
-#include "voronaut/benchmarks/episode/loop_config.h"
-#include "voronaut/benchmarks/runner/child_process.h"
+#include "voronaut/benchmarks/isolation/child_process.h"
 #include "voronaut/benchmarks/suite/claim.h"
-#include "voronaut/benchmarks/suite/trial.h"
+#include "voronaut/benchmarks/trial/loop_config.h"
+#include "voronaut/benchmarks/trial/trial.h"
 #include "voronaut/environments/config/config_node.h"
-#include "voronaut/environments/scenario.h"
+#include "voronaut/environments/scenario/scenario_spec.h"
 #include "voronaut/environments/sensing/range_finder.h"
 #include "voronaut/planners/catalog/catalog.h"
 
@@ -72,7 +72,7 @@ struct SuiteConfig {
 //   budget: {state_checks: 50000, ptc_evaluations: 200000}   see budget_config.h
 //   limits: {memory_mb: 1024, cpu_s: 120, wall_s: 300}
 //   traces: all | failures | none
-//   kind: flown | known             known: static planning with the whole world given
+//   kind: flown | static            static: planning alone, with the whole world given
 //   claims: [{planner: RRTConnect, outcome_share_min: 1}]   keys of Claim
 //
 // and everything it names. A cart drives at height 0 whatever the scenario's heights; its suites

@@ -5,7 +5,7 @@
 
 #include <ompl/base/Planner.h>
 
-#include "voronaut/benchmarks/runner/child_process.h"
+#include "voronaut/benchmarks/isolation/child_process.h"
 #include "voronaut/benchmarks/suite/suite_config.h"
 #include "voronaut/environments/config/config_reader.h"
 #include "voronaut/environments/config/nearest_name.h"

@@ -2,7 +2,7 @@
 
 #include <stdexcept>
 
-#include "voronaut/benchmarks/suite/trial_id.h"
+#include "voronaut/benchmarks/trial/trial_id.h"
 #include "voronaut/environments/random.h"
 
 namespace voronaut {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "voronaut/benchmarks/suite/suite_config.h"
-#include "voronaut/benchmarks/suite/trial.h"
+#include "voronaut/benchmarks/trial/trial.h"
 
 namespace voronaut {
 

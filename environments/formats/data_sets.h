@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "voronaut/environments/formats/query_selection.h"
-#include "voronaut/environments/scenario.h"
+#include "voronaut/environments/scenario/scenario_spec.h"
 
 // Worlds that others published, read from the data folder.
 namespace voronaut {

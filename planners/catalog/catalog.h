@@ -35,7 +35,7 @@ struct PlannerEntry {
 // by their declared names.
 class PlannerCatalog {
  public:
-  static PlannerCatalog built_in();
+  static PlannerCatalog built_in();  // defined in planners/built_in
 
   void add(PlannerEntry entry);                             // throws if the name is taken
   const PlannerEntry* find(const std::string& name) const;  // null if unknown

@@ -6,7 +6,7 @@
 #include <string>
 #include <utility>
 
-#include "voronaut/planners/mapping/convex_polygon.h"
+#include "voronaut/planners/mapping/points/convex_polygon.h"
 
 namespace voronaut {
 namespace {

@@ -6,14 +6,14 @@
 #include <vector>
 
 #include "voronaut/environments/sensing/scan.h"
-#include "voronaut/planners/mapping/cluster_base.h"
+#include "voronaut/planners/mapping/index/point_index.h"
 #include "voronaut/planners/mapping/obstacle_snapshot.h"
-#include "voronaut/planners/mapping/packed_point.h"
-#include "voronaut/planners/mapping/point_index.h"
-#include "voronaut/planners/mapping/scan_cluster.h"
-#include "voronaut/planners/mapping/scan_clusterer.h"
-#include "voronaut/planners/mapping/scan_joining.h"
-#include "voronaut/planners/mapping/scan_returns.h"
+#include "voronaut/planners/mapping/points/packed_point.h"
+#include "voronaut/planners/mapping/points/scan_cluster.h"
+#include "voronaut/planners/mapping/stages/cluster_base.h"
+#include "voronaut/planners/mapping/stages/scan_clusterer.h"
+#include "voronaut/planners/mapping/stages/scan_joining.h"
+#include "voronaut/planners/mapping/stages/scan_returns.h"
 
 // The papers' base of cells: everything a range finder has shown so far, as thinned points that
 // belong to clusters.

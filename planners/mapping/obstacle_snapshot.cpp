@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "voronaut/planners/mapping/obstacle_base.h"
-#include "voronaut/planners/mapping/require.h"
+#include "voronaut/planners/mapping/points/require.h"
 
 namespace voronaut {
 

@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-#include "voronaut/planners/mapping/scan_cluster.h"
+#include "voronaut/planners/mapping/points/scan_cluster.h"
 
 namespace voronaut {
 

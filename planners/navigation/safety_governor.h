@@ -6,7 +6,7 @@
 
 #include "voronaut/dynamics/velocity_response.h"
 #include "voronaut/environments/shapes/geometry.h"
-#include "voronaut/planners/mapping/free_space.h"
+#include "voronaut/planners/mapping/free_space/free_space.h"
 #include "voronaut/planners/mapping/obstacle_snapshot.h"
 
 namespace voronaut {

@@ -21,7 +21,7 @@ constexpr double kLeastGain = 1e-3;
 
 Descent::Descent(const ob::SpaceInformationPtr& si, const PotentialConfig& potential,
                  const DescentConfig& config, const ob::State* start, const ob::State* goal)
-    : Travel(si, start, goal),
+    : Rollout(si, start, goal),
       potential_(potential),
       config_(config),
       sensed_(ObstacleBaseConfig{}) {

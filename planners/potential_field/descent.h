@@ -4,8 +4,8 @@
 
 #include "voronaut/planners/mapping/obstacle_base.h"
 #include "voronaut/planners/potential_field/potential.h"
-#include "voronaut/planners/travel/ray_range.h"
-#include "voronaut/planners/travel/travel.h"
+#include "voronaut/planners/rollout/ray_range.h"
+#include "voronaut/planners/rollout/rollout.h"
 
 namespace voronaut {
 
@@ -31,7 +31,7 @@ struct DescentConfig {
 // it ends: at the goal, in a local minimum, or where no step is a valid motion. The obstacles are
 // the known ones of a KnownGeometry, all at once; behind any other validity checker they are sensed
 // on the way, at each step as far as they push. O(known points) per step.
-class Descent : public Travel {
+class Descent : public Rollout {
  public:
   Descent(const ompl::base::SpaceInformationPtr& si, const PotentialConfig& potential,
           const DescentConfig& config, const ompl::base::State* start,

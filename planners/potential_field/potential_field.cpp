@@ -8,7 +8,7 @@ namespace voronaut {
 namespace ob = ompl::base;
 
 PotentialField::PotentialField(const ob::SpaceInformationPtr& si)
-    : TravelPlanner(si, "PotentialField") {
+    : RolloutPlanner(si, "PotentialField") {
   ParameterDeclaration declaration(params_);
   potential_config_.visit(declaration);
   descent_config_.visit(declaration);
@@ -17,18 +17,19 @@ PotentialField::PotentialField(const ob::SpaceInformationPtr& si)
 ob::PlannerStatus PotentialField::solve(const ob::PlannerTerminationCondition& ptc) {
   const auto* geometry = dynamic_cast<const KnownGeometry*>(si_->getStateValidityChecker().get());
   if (geometry && geometry->belief()) {
-    forget_travels();
+    forget_rollouts();
     pis_.restart();
   }
-  return TravelPlanner::solve(ptc);
+  return RolloutPlanner::solve(ptc);
 }
 
-std::unique_ptr<Travel> PotentialField::travel(const ob::State* start, const ob::State* goal) {
+std::unique_ptr<Rollout> PotentialField::make_rollout(const ob::State* start,
+                                                      const ob::State* goal) {
   return std::make_unique<Descent>(si_, potential_config_, descent_config_, start, goal);
 }
 
-std::size_t PotentialField::end_of_approximation(const Travel& travel) const {
-  return travel.way().getStateCount() - 1;
+std::size_t PotentialField::end_of_approximation(const Rollout& rollout) const {
+  return rollout.path().getStateCount() - 1;
 }
 
 }  // namespace voronaut

@@ -3,7 +3,7 @@
 #include <memory>
 
 #include "voronaut/planners/potential_field/descent.h"
-#include "voronaut/planners/travel/travel_planner.h"
+#include "voronaut/planners/rollout/rollout_planner.h"
 
 namespace voronaut {
 
@@ -14,18 +14,18 @@ namespace voronaut {
 // problem, so the vehicle follows the field of what is known at each scan.
 //
 // The fields of PotentialConfig and DescentConfig are parameters by their own names.
-class PotentialField : public TravelPlanner {
+class PotentialField : public RolloutPlanner {
  public:
   explicit PotentialField(const ompl::base::SpaceInformationPtr& si);
 
-  using TravelPlanner::solve;
+  using RolloutPlanner::solve;
   ompl::base::PlannerStatus solve(const ompl::base::PlannerTerminationCondition& ptc) override;
 
  private:
-  std::unique_ptr<Travel> travel(const ompl::base::State* start,
-                                 const ompl::base::State* goal) override;
+  std::unique_ptr<Rollout> make_rollout(const ompl::base::State* start,
+                                        const ompl::base::State* goal) override;
   // The whole descent: it may lead away from the goal for a while.
-  std::size_t end_of_approximation(const Travel& travel) const override;
+  std::size_t end_of_approximation(const Rollout& rollout) const override;
 
   PotentialConfig potential_config_;
   DescentConfig descent_config_;

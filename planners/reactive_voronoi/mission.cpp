@@ -21,7 +21,7 @@ ObstacleBaseConfig mapping_for(const ReactiveVoronoiConfig& planner) {
 
 Mission::Mission(const ob::SpaceInformationPtr& si, const ReactiveVoronoiConfig& planner,
                  const MissionConfig& config, const ob::State* start, const ob::State* goal)
-    : Travel(si, start, goal),
+    : Rollout(si, start, goal),
       planner_(planner),
       config_(config),
       ray_range_(ray_range(si, start, config.ray_resolution_m)),

@@ -2,8 +2,8 @@
 
 #include "voronaut/planners/mapping/obstacle_base.h"
 #include "voronaut/planners/reactive_voronoi/reactive_step.h"
-#include "voronaut/planners/travel/ray_range.h"
-#include "voronaut/planners/travel/travel.h"
+#include "voronaut/planners/rollout/ray_range.h"
+#include "voronaut/planners/rollout/rollout.h"
 
 // The papers' planner on a static problem: a mission in miniature. A vehicle that knows nothing
 // senses, maps, decides and moves, and its way is the path.
@@ -30,7 +30,7 @@ struct MissionConfig {
   }
 };
 
-class Mission : public Travel {
+class Mission : public Rollout {
  public:
   // From a valid start to a valid goal.
   Mission(const ompl::base::SpaceInformationPtr& si, const ReactiveVoronoiConfig& planner,

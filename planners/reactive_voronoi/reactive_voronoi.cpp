@@ -29,7 +29,7 @@ std::string canonical(const ReactiveVoronoiConfig& config) {
 }  // namespace
 
 ReactiveVoronoi::ReactiveVoronoi(const ob::SpaceInformationPtr& si)
-    : TravelPlanner(si, "ReactiveVoronoi") {
+    : RolloutPlanner(si, "ReactiveVoronoi") {
   ParameterDeclaration declaration(params_);
   config_.visit(declaration);
   mission_config_.visit(declaration);
@@ -55,7 +55,7 @@ std::string ReactiveVoronoi::preset() const {
 }
 
 void ReactiveVoronoi::clear() {
-  TravelPlanner::clear();
+  RolloutPlanner::clear();
   leg_.reset();
   live_goal_.reset();
   live_goal_of_ = nullptr;
@@ -66,7 +66,7 @@ void ReactiveVoronoi::clear() {
 ob::PlannerStatus ReactiveVoronoi::solve(const ob::PlannerTerminationCondition& ptc) {
   const auto* geometry = dynamic_cast<const KnownGeometry*>(si_->getStateValidityChecker().get());
   if (geometry && geometry->belief()) return next_leg(*geometry);
-  const ob::PlannerStatus status = TravelPlanner::solve(ptc);
+  const ob::PlannerStatus status = RolloutPlanner::solve(ptc);
   if (const auto* mission = static_cast<const Mission*>(latest())) mode_ = mission->mode();
   return status;
 }
@@ -104,12 +104,13 @@ ob::PlannerStatus ReactiveVoronoi::next_leg(const KnownGeometry& geometry) {
   return {true, !exact};
 }
 
-std::unique_ptr<Travel> ReactiveVoronoi::travel(const ob::State* start, const ob::State* goal) {
+std::unique_ptr<Rollout> ReactiveVoronoi::make_rollout(const ob::State* start,
+                                                       const ob::State* goal) {
   return std::make_unique<Mission>(si_, config_, mission_config_, start, goal);
 }
 
 void ReactiveVoronoi::getPlannerData(ob::PlannerData& data) const {
-  TravelPlanner::getPlannerData(data);
+  RolloutPlanner::getPlannerData(data);
   if (leg_) add_chain(*leg_, data);
 }
 

@@ -11,7 +11,7 @@
 #include "voronaut/planners/problem/known_geometry.h"
 #include "voronaut/planners/reactive_voronoi/mission.h"
 #include "voronaut/planners/reactive_voronoi/reactive_voronoi_config.h"
-#include "voronaut/planners/travel/travel_planner.h"
+#include "voronaut/planners/rollout/rollout_planner.h"
 
 namespace voronaut {
 
@@ -26,11 +26,11 @@ namespace voronaut {
 //
 // Parameters: "preset" (as_published, repaired) sets all fields of ReactiveVoronoiConfig; these and
 // the fields of MissionConfig are parameters by their own names.
-class ReactiveVoronoi : public TravelPlanner, public PlannerInsight {
+class ReactiveVoronoi : public RolloutPlanner, public PlannerInsight {
  public:
   explicit ReactiveVoronoi(const ompl::base::SpaceInformationPtr& si);
 
-  using TravelPlanner::solve;
+  using RolloutPlanner::solve;
   ompl::base::PlannerStatus solve(const ompl::base::PlannerTerminationCondition& ptc) override;
   void clear() override;
   void getPlannerData(ompl::base::PlannerData& data) const override;
@@ -43,8 +43,8 @@ class ReactiveVoronoi : public TravelPlanner, public PlannerInsight {
   std::string preset() const;                // empty if a field differs from both
 
  private:
-  std::unique_ptr<Travel> travel(const ompl::base::State* start,
-                                 const ompl::base::State* goal) override;
+  std::unique_ptr<Rollout> make_rollout(const ompl::base::State* start,
+                                        const ompl::base::State* goal) override;
   ompl::base::PlannerStatus next_leg(const KnownGeometry& geometry);
   // One goal for all legs, even if the goal is a region of many; false if it cannot be sampled.
   bool choose_live_goal();

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "voronaut/planners/voronoi/free_places.h"
-#include "voronaut/planners/voronoi/taut_path.h"
+#include "voronaut/planners/voronoi/string_pulling.h"
 
 namespace voronaut {
 namespace {
@@ -238,13 +238,13 @@ void VoronoiRouter::shorten(const RouteQuery& query, const Approach& from, const
 }
 
 std::vector<Vec2> VoronoiRouter::shortened(Shortening how, const std::vector<Vec2>& path) {
-  const TautSurroundings around{delaunay_, cells_, domain_, radius_m_, radius_m_ - kCheckMargin_m};
-  std::vector<Vec2> best = shortcut(around, path);
+  const StringObstacles around{delaunay_, cells_, domain_, radius_m_, radius_m_ - kCheckMargin_m};
+  std::vector<Vec2> best = shorten_by_shortcuts(around, path);
   if (how == Shortening::shortcut) return best;
   const auto channel = channels_.find(delaunay_, domain_, radius_m_, path.front(), path.back(),
                                       length_m(best) + kMargin_m);
   if (!channel) return best;
-  auto taut = pull_taut(around, *channel, path.front(), path.back());
+  auto taut = pull_string(around, *channel, path.front(), path.back());
   return taut && length_m(*taut) < length_m(best) ? std::move(*taut) : best;
 }
 

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "voronaut/reports/encoding/json_text.h"
 #include "voronaut/reports/export/mcap_writer.h"
-#include "voronaut/reports/page/json_text.h"
 
 namespace voronaut {
 namespace {

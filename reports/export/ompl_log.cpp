@@ -1,6 +1,6 @@
 #include "voronaut/reports/export/ompl_log.h"
 
-#include "voronaut/reports/summary/column_text.h"
+#include "voronaut/reports/encoding/column_text.h"
 
 namespace voronaut {
 namespace {

@@ -6,7 +6,7 @@
 #include <string_view>
 #include <type_traits>
 
-#include "voronaut/reports/summary/column_text.h"
+#include "voronaut/reports/encoding/column_text.h"
 
 namespace voronaut {
 namespace {
@@ -61,9 +61,9 @@ const std::vector<BenchmarkColumn> kOfStaticPlans = {{"approximate_solution", "B
                                                      {"solution_length", "REAL"},
                                                      {"solution_clearance", "REAL"}};
 
-std::vector<BenchmarkColumn> run_columns(bool known) {
+std::vector<BenchmarkColumn> run_columns(bool static_planning) {
   std::vector<BenchmarkColumn> columns = kAlways;
-  if (known) columns.insert(columns.end(), kOfStaticPlans.begin(), kOfStaticPlans.end());
+  if (static_planning) columns.insert(columns.end(), kOfStaticPlans.begin(), kOfStaticPlans.end());
   RunRecord().visit([&](const char* name, const auto& value, ColumnKind) {
     if (!is_left_out(name))
       columns.push_back({column_name(name), type_of<std::remove_cvref_t<decltype(value)>>()});
@@ -82,11 +82,11 @@ BenchmarkRow plan_found(const RunRecord& record) {
           finite_text(record.clearance_mean_m)};
 }
 
-BenchmarkRow run_row(const RunRecord& record, bool known) {
-  const double time_s = known ? record.planning_time_us_mean * 1e-6 : record.duration_s;
+BenchmarkRow run_row(const RunRecord& record, bool static_planning) {
+  const double time_s = static_planning ? record.planning_time_us_mean * 1e-6 : record.duration_s;
   BenchmarkRow row = {finite_text(time_s), finite_text(record.memory_max_mb),
                       flag(record.outcome == Outcome::goal_reached)};
-  if (known)
+  if (static_planning)
     for (std::string& value : plan_found(record)) row.push_back(std::move(value));
   record.visit([&](const char* name, const auto& value, ColumnKind) {
     if (!is_left_out(name)) row.push_back(text_of(value));
@@ -139,20 +139,20 @@ const std::vector<BenchmarkColumn> kPlanProgress = {
 void add_stored_runs(const ResultStore& store, PlannerBenchmark& benchmark) {
   benchmark.enum_name = "status";
   for (const Outcome outcome : kOutcomes) benchmark.enum_words.emplace_back(to_string(outcome));
-  benchmark.run_columns = run_columns(benchmark.known);
-  benchmark.progress_columns = benchmark.known ? kPlanProgress : kFlightProgress;
+  benchmark.run_columns = run_columns(benchmark.static_planning);
+  benchmark.progress_columns = benchmark.static_planning ? kPlanProgress : kFlightProgress;
   std::map<std::string, TracePoint> goals;
   for (const TraceWorld& world : store.worlds()) goals[world.world_id] = world.goal;
   std::map<std::string, BenchmarkedPlanner> planners;
   for (const RunRecord& record : store.records()) {
     BenchmarkedPlanner& planner = planners[record.planner];
     planner.name = record.planner;
-    planner.runs.push_back(run_row(record, benchmark.known));
+    planner.runs.push_back(run_row(record, benchmark.static_planning));
     const auto trace = store.trace(record.trial_id);
     auto& samples = planner.progress.emplace_back();
     if (trace)
-      samples =
-          benchmark.known ? improvements_of(*trace) : progress_of(*trace, goals[record.world_id]);
+      samples = benchmark.static_planning ? improvements_of(*trace)
+                                          : progress_of(*trace, goals[record.world_id]);
     if (std::isfinite(record.cpu_time_s)) benchmark.total_time_s += record.cpu_time_s;
   }
   for (auto& [name, planner] : planners) {

@@ -26,9 +26,9 @@ struct BenchmarkedPlanner {
 };
 
 struct PlannerBenchmark {
-  bool known = false;   // a suite of static planning (`kind: known`)
-  std::string name;     // without blanks: the tools keep the last word only
-  std::string version;  // without blanks
+  bool static_planning = false;  // a suite of `kind: static`
+  std::string name;              // without blanks: the tools keep the last word only
+  std::string version;           // without blanks
   std::string host;
   std::string date;  // "2026-11-25 12:42:59"
   std::string setup;
@@ -45,9 +45,9 @@ struct PlannerBenchmark {
   std::vector<BenchmarkedPlanner> planners;
 };
 
-// Fills columns and planners from what is stored; the rest is the caller's, `known` before. One
-// planner for each label, in the order of the alphabet, its runs in the order of trial ids. Columns
-// are those of RunRecord that are numbers or names, with what OMPL's tools ask for:
+// Fills columns and planners from what is stored; the rest is the caller's, `static_planning`
+// before. One planner for each label, in the order of the alphabet, its runs in the order of trial
+// ids. Columns are those of RunRecord that are numbers or names, with what OMPL's tools ask for:
 //   time     the flight's simulated duration, or the wall time of a static solve, s
 //   solved   whether the goal was reached              memory   MB
 //   trial_seed   seed (the tables' own `seed` is the suite's)        status   the outcome

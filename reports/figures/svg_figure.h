@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "voronaut/reports/run_record.h"
-#include "voronaut/reports/trace.h"
+#include "voronaut/reports/trace/trace.h"
 
 // Stand-alone vector figures for papers and pages: no script, no style sheet, no font but the
 // reader's sans-serif.

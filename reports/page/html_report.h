@@ -11,7 +11,7 @@
 #include "voronaut/reports/store/store.h"
 #include "voronaut/reports/summary/comparison.h"
 #include "voronaut/reports/summary/summary.h"
-#include "voronaut/reports/trace.h"
+#include "voronaut/reports/trace/trace.h"
 
 // One HTML file that works offline and asks nobody for anything: its content security policy allows
 // the one script and the one style sheet it carries, by their hashes.

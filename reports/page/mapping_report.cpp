@@ -5,8 +5,8 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "voronaut/reports/encoding/json_text.h"
 #include "voronaut/reports/page/html_report.h"
-#include "voronaut/reports/page/json_text.h"
 #include "voronaut/reports/store/atomic_file.h"
 
 namespace voronaut {

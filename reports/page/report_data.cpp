@@ -7,10 +7,10 @@
 #include <map>
 #include <type_traits>
 
-#include "voronaut/reports/page/json_text.h"
-#include "voronaut/reports/page/trace_json.h"
-#include "voronaut/reports/store/deflate.h"
+#include "voronaut/reports/encoding/deflate.h"
+#include "voronaut/reports/encoding/json_text.h"
 #include "voronaut/reports/summary/summary_text.h"
+#include "voronaut/reports/trace/trace_json.h"
 
 namespace voronaut {
 

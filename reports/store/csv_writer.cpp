@@ -2,7 +2,7 @@
 
 #include <type_traits>
 
-#include "voronaut/reports/summary/column_text.h"
+#include "voronaut/reports/encoding/column_text.h"
 
 namespace voronaut {
 

@@ -2,8 +2,8 @@
 
 #include <type_traits>
 
-#include "voronaut/reports/page/trace_json.h"
-#include "voronaut/reports/summary/column_text.h"
+#include "voronaut/reports/encoding/column_text.h"
+#include "voronaut/reports/trace/trace_json.h"
 
 namespace voronaut {
 

@@ -10,7 +10,7 @@
 
 #include "voronaut/reports/run_record.h"
 #include "voronaut/reports/store/sqlite.h"
-#include "voronaut/reports/trace.h"
+#include "voronaut/reports/trace/trace.h"
 
 namespace voronaut {
 

@@ -1,6 +1,6 @@
 #include <cmath>
 
-#include "voronaut/reports/page/json_text.h"
+#include "voronaut/reports/encoding/json_text.h"
 #include "voronaut/reports/summary/summary_text.h"
 
 namespace voronaut {

@@ -3,7 +3,7 @@
 #include <cstdlib>
 #include <stdexcept>
 
-#include "voronaut/benchmarks/results/sha256.h"
+#include "voronaut/benchmarks/trial/sha256.h"
 
 namespace voronaut {
 

@@ -2,7 +2,8 @@
 # cmake -DBUILD_DIR=... -DCXX=... -P consume.cmake
 set(prefix "${BUILD_DIR}/install-test/prefix")
 set(examples "${BUILD_DIR}/install-test/examples")
-file(REMOVE_RECURSE "${prefix}" "${examples}")
+set(components "${BUILD_DIR}/install-test/components")
+file(REMOVE_RECURSE "${prefix}" "${examples}" "${components}")
 
 function(run)
   execute_process(COMMAND ${ARGN} RESULT_VARIABLE failed OUTPUT_VARIABLE text ERROR_VARIABLE text)
@@ -32,3 +33,8 @@ run("${prefix}/bin/voronaut" list planners --plugin "${examples}/libstraight_lin
 if(NOT output MATCHES "StraightLine")
   message(FATAL_ERROR "the installed program does not take the plugin:\n${output}")
 endif()
+
+run("${CMAKE_COMMAND}" -S "${CMAKE_CURRENT_LIST_DIR}/components" -B "${components}" -G Ninja
+    -DCMAKE_BUILD_TYPE=Release -DCMAKE_CXX_COMPILER=${CXX} -DCMAKE_PREFIX_PATH=${prefix})
+run("${CMAKE_COMMAND}" --build "${components}")
+run("${components}/map_of_one_scan")

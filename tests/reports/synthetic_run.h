@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "voronaut/reports/run_record.h"
-#include "voronaut/reports/trace.h"
+#include "voronaut/reports/trace/trace.h"
 
 // Records, worlds and traces that look like a suite's, made without a planner: the reports are
 // tested on their own.

@@ -4,7 +4,7 @@
 #include <limits>
 #include <numeric>
 
-#include "voronaut/planners/mapping/convex_polygon.h"
+#include "voronaut/planners/mapping/points/convex_polygon.h"
 
 namespace voronaut {
 namespace {

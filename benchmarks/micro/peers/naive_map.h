@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "voronaut/benchmarks/micro/measured_scan.h"
+#include "voronaut/benchmarks/micro/peers/measured_scan.h"
 
 namespace voronaut::micro {
 

@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "voronaut/benchmarks/micro/measured_scan.h"
+#include "voronaut/benchmarks/micro/peers/measured_scan.h"
 
 namespace voronaut::micro {
 

@@ -2,7 +2,7 @@
 
 #include <octomap/octomap.h>
 
-#include "voronaut/benchmarks/micro/measured_scan.h"
+#include "voronaut/benchmarks/micro/peers/measured_scan.h"
 
 namespace voronaut::micro {
 

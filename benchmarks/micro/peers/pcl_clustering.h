@@ -6,7 +6,7 @@
 #include <pcl/search/kdtree.h>
 #include <pcl/segmentation/extract_clusters.h>
 
-#include "voronaut/benchmarks/micro/measured_scan.h"
+#include "voronaut/benchmarks/micro/peers/measured_scan.h"
 
 namespace voronaut::micro {
 

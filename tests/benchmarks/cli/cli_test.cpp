@@ -182,7 +182,7 @@ TEST_F(CommandLine, FindsNothingWrongWithTheSuitesThatShip) {
 
 TEST_F(CommandLine, ExportsPlannersWithTheirParameters) {
   write("tuned.yaml",
-        "suite: tuned\nkind: known\nscenarios: [{name: open, world: {circles: [[2, 3, 0.5]]}, "
+        "suite: tuned\nkind: static\nscenarios: [{name: open, world: {circles: [[2, 3, 0.5]]}, "
         "bounds: [[-2, -2], [5, 5]], start: [0, 0], goal: [2, 1]}]\nvehicles: [ideal]\nplanners: "
         "[{name: RRTConnect, label: short, params: {range: 0.5}}]\n");
   ASSERT_EQ(voronaut("run tuned.yaml --out r").exit_code, 0);

@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include "voronaut/benchmarks/runner/run_trial.h"
 #include "voronaut/benchmarks/runner/runner.h"
 #include "voronaut/benchmarks/suite/suite_trials.h"
 #include "voronaut/environments/config/config_node.h"

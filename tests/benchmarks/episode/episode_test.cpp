@@ -7,6 +7,7 @@
 #include <ompl/geometric/PathGeometric.h>
 
 #include "voronaut/benchmarks/episode/episode_trace.h"
+#include "voronaut/benchmarks/runner/run_trial.h"
 #include "voronaut/environments/world.h"
 
 namespace voronaut {

@@ -3,8 +3,10 @@
 
 #include <gtest/gtest.h>
 
-#include "voronaut/benchmarks/suite/trial.h"
+#include "voronaut/benchmarks/runner/run_trial.h"
+#include "voronaut/benchmarks/trial/trial.h"
 #include "voronaut/environments/config/config_node.h"
+#include "voronaut/environments/scenario/scenario_spec.h"
 
 // One set of random scenes like the paper's, turned to each bearing: what the repaired planner does
 // does not depend on where the axes point, up to rounding.

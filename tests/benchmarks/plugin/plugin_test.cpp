@@ -97,9 +97,9 @@ TEST_F(Plugin, WhatALibraryDoesToItsProcessIsARow) {
 }
 
 TEST_F(Plugin, AClaimThatIsNotTrueIsNoSuccessInAStaticTrial) {
-  write("known.yaml", "suite: known\nkind: known\nplanners: [Boastful, Homebody]\n" + kOpen);
-  run(VORONAUT_PROGRAM, "run known.yaml" + kHostile);
-  const auto found = ends("voronaut-results/known");
+  write("static.yaml", "suite: static\nkind: static\nplanners: [Boastful, Homebody]\n" + kOpen);
+  run(VORONAUT_PROGRAM, "run static.yaml" + kHostile);
+  const auto found = ends("voronaut-results/static");
   ASSERT_EQ(found.size(), 2U) << said();
   EXPECT_EQ(found.at("open/Boastful"),
             "crash: exception: the planner says 'Exact solution' but has added no geometric path");

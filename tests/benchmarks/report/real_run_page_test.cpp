@@ -7,7 +7,7 @@
 #include <gmock/gmock.h>
 #include <sqlite3.h>
 
-#include "voronaut/reports/page/trace_json.h"
+#include "voronaut/reports/trace/trace_json.h"
 #include "voronaut/tests/benchmarks/small_suite.h"
 #include "voronaut/tests/reports/page/report_in_browser.h"
 

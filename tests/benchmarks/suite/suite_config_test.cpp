@@ -158,8 +158,10 @@ TEST(SuiteConfig, SaysInOneLineWhatIsWrong) {
        "s.yaml:1: key 'suite': expected a name of letters, digits, '-', '_' and '.', got '../s'"},
       {suite_with("suite", ""), "s.yaml:1: key 'suite': expected text, got nothing"},
       {suite_with("suite", "[a]"), "s.yaml:1: key 'suite': expected text, got a list of 1"},
-      {suite_with("kind", "static"),
-       "s.yaml:5: key 'kind': expected one of flown, known, got 'static'"},
+      {suite_with("kind", "parked"),
+       "s.yaml:5: key 'kind': expected one of flown, static, got 'parked'"},
+      {suite_with("kind", "known"),
+       "s.yaml:5: key 'kind': 'known' is called 'static' now (allowed: flown, static)"},
       {suite_with("seed", "-1"),
        "s.yaml:5: key 'seed': " + count + "0 to 9223372036854775807, got '-1'"},
       {suite_with("seed", "1.5"),
@@ -285,7 +287,7 @@ TEST(SuiteConfig, AsksACartOnlyForWhatItCanDo) {
       "false)";
   const std::string own = "[RRTConnect, {name: RRTConnect, label: b, navigation: {";
   EXPECT_EQ(error_of(with_cart("[RRTConnect]", "navigation: {gaze: path}")), "no error");
-  EXPECT_EQ(error_of(with_cart("[RRTConnect]", "kind: known")), "no error") << "nobody moves";
+  EXPECT_EQ(error_of(with_cart("[RRTConnect]", "kind: static")), "no error") << "nobody moves";
   EXPECT_EQ(error_of(with_cart("[RRTConnect]", "")), "s.yaml:4: key 'planners[0]': " + gaze);
   EXPECT_EQ(error_of(with_cart("[RRTConnect]", "navigation: {gaze: fixed}")),
             "s.yaml:5: key 'navigation.gaze': " + gaze);

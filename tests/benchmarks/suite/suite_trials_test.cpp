@@ -7,8 +7,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "voronaut/benchmarks/results/sha256.h"
-#include "voronaut/benchmarks/suite/trial_id.h"
+#include "voronaut/benchmarks/trial/sha256.h"
+#include "voronaut/benchmarks/trial/trial_id.h"
+#include "voronaut/environments/scenario_files/scenario_reader.h"
 #include "voronaut/environments/world.h"
 #include "voronaut/tests/benchmarks/small_suite.h"
 

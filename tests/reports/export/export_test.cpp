@@ -46,9 +46,9 @@ class Export : public ::testing::Test {
 
   ResultStore store() const { return ResultStore::open(folder_ / "results.db"); }
 
-  PlannerBenchmark benchmark(bool known = false) const {
+  PlannerBenchmark benchmark(bool static_planning = false) const {
     PlannerBenchmark benchmark;
-    benchmark.known = known;
+    benchmark.static_planning = static_planning;
     benchmark.name = "synthetic";
     benchmark.version = "0.1.0+abc";
     benchmark.host = "somewhere";

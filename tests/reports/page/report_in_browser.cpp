@@ -4,7 +4,7 @@
 
 #include <gmock/gmock.h>
 
-#include "voronaut/reports/page/trace_json.h"
+#include "voronaut/reports/trace/trace_json.h"
 
 namespace voronaut {
 

@@ -5,7 +5,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "voronaut/reports/summary/column_text.h"
+#include "voronaut/reports/encoding/column_text.h"
 #include "voronaut/tests/reports/synthetic_run.h"
 
 namespace voronaut {

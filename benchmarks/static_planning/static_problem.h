@@ -1,0 +1,32 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+
+#include "voronaut/environments/scenario/scenario.h"
+#include "voronaut/planners/problem/problem.h"
+
+namespace voronaut {
+
+// A scenario as a static problem for OMPL: states and motions are exact against the true shapes at
+// clearance_min_m > 0. Planners see the world through the space information's validity checker and
+// motion validator alone. The scenario must outlive it.
+class StaticProblem {
+ public:
+  StaticProblem(const Scenario& scenario, double clearance_min_m);
+  ~StaticProblem();
+
+  const ompl::base::SpaceInformationPtr& space_information() const {
+    return problem_.space_information();
+  }
+  const ompl::base::ProblemDefinitionPtr& definition() const { return problem_.definition(); }
+  std::uint64_t state_checks() const;  // states and motions checked so far
+
+ private:
+  class Truth;
+
+  std::shared_ptr<Truth> truth_;
+  PlanningProblem problem_;
+};
+
+}  // namespace voronaut

@@ -1,0 +1,60 @@
+#include "voronaut/benchmarks/static_planning/static_trace.h"
+
+#include <cmath>
+
+#include "voronaut/benchmarks/episode/search_trace.h"
+#include "voronaut/environments/world.h"
+
+namespace voronaut {
+
+namespace {
+
+constexpr double kWalk_m_s = 1;
+constexpr double kStep_s = 0.05;
+
+}  // namespace
+
+Trace static_trace(const TrialSpec& spec, const Path& path,
+                   const std::vector<Improvement>& improvements,
+                   const std::vector<Segment>& searched) {
+  Trace trace;
+  trace.trial_id = spec.trial_id;
+  trace.static_planning = true;
+  trace.body_radius_m = spec.vehicle.body_radius_m;
+  trace.clearance_min_m = spec.vehicle.clearance_min_m;
+  trace.modes = {path.empty() ? "no path" : "along the path at 1 m/s"};
+  for (const Improvement& i : improvements) {
+    trace.improvements.push_back({static_cast<std::int64_t>(i.state_checks), i.time_s, i.cost});
+  }
+  add_searches({searched}, trace);
+  if (!path.empty()) {
+    auto& plan = trace.plans.emplace_back();
+    plan.push_back({path.front().x(), path.front().y()});
+    for (const PathSegment& s : path.segments()) plan.push_back({s.end.x(), s.end.y()});
+  }
+
+  const double length_m = path.empty() ? 0 : path.length_m();
+  const auto steps = static_cast<int>(std::ceil(length_m / (kWalk_m_s * kStep_s)));
+  for (int i = 0; i <= steps; ++i) {
+    const double at_m = std::min(i * kWalk_m_s * kStep_s, length_m);
+    const Vec2 p = path.empty() ? spec.scenario.start_world : path.point_at(at_m);
+    const Vec2 along = path.empty() ? Vec2(1, 0) : path.direction_at(at_m);
+    TraceFrame& frame = trace.frames.emplace_back();
+    frame.t_s = at_m / kWalk_m_s;
+    frame.x_m = p.x();
+    frame.y_m = p.y();
+    frame.vx_m_s = path.empty() ? 0 : kWalk_m_s * along.x();
+    frame.vy_m_s = path.empty() ? 0 : kWalk_m_s * along.y();
+    frame.heading_x = along.x();
+    frame.heading_y = along.y();
+    frame.clearance_m = spec.scenario.world->clearance_m(p);
+    frame.target_x_m = spec.scenario.goal_world.x();
+    frame.target_y_m = spec.scenario.goal_world.y();
+    frame.mode = 0;
+    frame.plan = path.empty() ? -1 : 0;
+    frame.search = trace.kept_searches - 1;
+  }
+  return trace;
+}
+
+}  // namespace voronaut

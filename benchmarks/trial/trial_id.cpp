@@ -1,0 +1,79 @@
+#include "voronaut/benchmarks/trial/trial_id.h"
+
+#include <variant>
+
+#include "voronaut/benchmarks/trial/budget_config.h"
+#include "voronaut/benchmarks/trial/sha256.h"
+#include "voronaut/environments/config/config_reader.h"
+#include "voronaut/environments/world.h"
+
+namespace voronaut {
+
+namespace {
+
+std::string point_text(const Vec2& p) { return number_text(p.x()) + "," + number_text(p.y()); }
+
+template <class Config>
+std::string section(const std::string& name, const Config& config) {
+  return name + ": " + canonical_text(config) + "\n";
+}
+
+template <class... Configs>
+std::string section(const std::string& name, const std::variant<Configs...>& config) {
+  return std::visit([&](const auto& chosen) { return section(name, chosen); }, config);
+}
+
+ConfigEntries task_entries(const TrialSpec& spec) {
+  const Scenario& scenario = spec.scenario;
+  ConfigEntries entries = {{"suite", spec.suite},
+                           {"scenario", scenario.name},
+                           {"group", scenario.group},
+                           {"world_id", spec.world_id},
+                           {"start_height_m", number_text(scenario.start_height_m)},
+                           {"cruise_height_m", number_text(scenario.cruise_height_m)},
+                           {"start_heading", point_text(scenario.start_heading)},
+                           {"goal_tolerance_m", number_text(scenario.goal_tolerance_m)},
+                           {"vehicle", spec.vehicle.name},
+                           {"regulator", spec.regulator_name},
+                           {"planner", spec.planner.label},
+                           {"planner_name", spec.planner.name},
+                           {"repetition", std::to_string(spec.repetition)},
+                           {"planner_seed", std::to_string(spec.planner_seed)}};
+  if (spec.kind == TrialKind::static_planning) entries.emplace_back("kind", "static");
+  for (auto& entry : budget_entries(spec.budget)) entries.push_back(std::move(entry));
+  return entries;
+}
+
+}  // namespace
+
+std::string canonical_world(const Scenario& scenario) {
+  const World& world = *scenario.world;
+  std::string text =
+      "bounds " + point_text(world.bounds().min) + " " + point_text(world.bounds().max) + "\n";
+  for (const Circle& circle : world.shapes().circles)
+    text += "circle " + point_text(circle.center) + " " + number_text(circle.radius_m) + "\n";
+  for (const Segment& wall : world.shapes().segments)
+    text += "segment " + point_text(wall.a) + " " + point_text(wall.b) + "\n";
+  for (const Polygon& polygon : world.shapes().polygons) {
+    text += "polygon";
+    for (const Vec2& vertex : polygon.vertices) text += " " + point_text(vertex);
+    text += "\n";
+  }
+  return text + "start " + point_text(scenario.start_world) + "\ngoal " +
+         point_text(scenario.goal_world) + "\n";
+}
+
+std::string world_id(const Scenario& scenario) { return sha256_hex(canonical_world(scenario)); }
+
+std::string canonical_trial(const TrialSpec& spec) {
+  ConfigEntries params(spec.planner.params.begin(), spec.planner.params.end());
+  return "trial: " + canonical_text(task_entries(spec)) + "\n" +
+         "params: " + canonical_text(params) + "\n" + section("vehicle", spec.vehicle) +
+         section("model", spec.vehicle.model) + section("regulator", spec.regulator) +
+         section("range_finder", spec.range_finder) + section("mapping", spec.mapping) +
+         section("navigation", spec.navigation) + section("loop", spec.loop);
+}
+
+std::string trial_id(const TrialSpec& spec) { return sha256_hex(canonical_trial(spec)); }
+
+}  // namespace voronaut

@@ -1,0 +1,78 @@
+#include "voronaut/environments/scenario_files/scenario_fields.h"
+
+#include <filesystem>
+#include <string_view>
+
+#include "voronaut/environments/config/config_reader.h"
+#include "voronaut/environments/config/nearest_name.h"
+#include "voronaut/environments/formats/csv_table.h"
+
+namespace voronaut {
+namespace {
+
+constexpr double kFar = kFarthestCoordinate;
+
+void require_plain(const std::string& name, const ConfigNode& place) {
+  constexpr std::string_view kPlain =
+      "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-.+";
+  if (name.empty() || name.find_first_not_of(kPlain) != std::string::npos)
+    throw place.error("expected a name of letters, digits and _-.+, got " + in_quotes(name));
+}
+
+}  // namespace
+
+Vec2 read_point(const ConfigNode& node) {
+  const std::vector<double> xy = node.numbers(2, "[x, y]", -kFar, kFar);
+  return {xy[0], xy[1]};
+}
+
+Bounds read_bounds(const ConfigNode& node) {
+  const std::vector<ConfigNode> corners = node.items(2, "[[xmin, ymin], [xmax, ymax]]");
+  Bounds bounds{read_point(corners[0]), read_point(corners[1])};
+  if (!(bounds.min.array() < bounds.max.array()).all())
+    throw node.error("expected [[xmin, ymin], [xmax, ymax]] with xmin < xmax and ymin < ymax");
+  return bounds;
+}
+
+TaskConfig read_task(const ConfigNode& entry, const std::string& default_name,
+                     const std::vector<std::string>& other_keys) {
+  TaskConfig task;
+  task.name = default_name;
+  read_into(entry, task, other_keys);
+  if (task.name.empty() && !entry.find("name")) entry.child("name");
+  require_plain(task.name, entry.find("name").value_or(entry));
+  if (task.group.empty()) task.group = task.name;
+  require_plain(task.group, entry.find("group").value_or(entry));
+  return task;
+}
+
+std::optional<double> read_heading(const ConfigNode& entry) {
+  const auto heading = entry.find("start_heading_rad");
+  return heading ? std::optional(heading->number(-10, 10)) : std::nullopt;
+}
+
+std::string existing_file(const ConfigNode& node) {
+  std::string path = node.beside(node.text());
+  std::error_code ignored;
+  if (!std::filesystem::is_regular_file(path, ignored))
+    throw node.error("no file " + in_quotes(path));
+  return path;
+}
+
+std::string stem(const std::string& path) { return std::filesystem::path(path).stem().string(); }
+
+ScenarioSpec placed_scenario(const TaskConfig& task, const std::shared_ptr<const World>& world,
+                             const Vec2& start, const Vec2& goal, const ConfigNode& entry,
+                             const ConfigNode& place) {
+  const auto require_placed = [&](const char* key, const Vec2& p) {
+    const std::string problem = placement_problem(*world, p);
+    if (problem.empty()) return;
+    if (const auto given = entry.find(key)) throw given->error(problem);
+    throw place.error(task.name + ": " + key + " " + problem);
+  };
+  require_placed("start", start);
+  require_placed("goal", goal);
+  return ScenarioSpec::fixed(task, world, start, goal, read_heading(entry));
+}
+
+}  // namespace voronaut

@@ -1,0 +1,179 @@
+#include "voronaut/planners/mapping/free_space/free_space.h"
+
+#include <gtest/gtest.h>
+
+#include "voronaut/environments/random.h"
+
+namespace voronaut {
+namespace {
+
+constexpr double kRightAngle_rad = 1.5707963267948966;
+constexpr double kFullCircle_rad = 4 * kRightAngle_rad;
+const Bounds kBounds{Vec2(-4, -4), Vec2(4, 4)};
+
+// Ranges of circles seen from p, by hand: the nearest positive root of each ray.
+Scan look(const Vec2& p, const Vec2& heading, const std::vector<Circle>& circles,
+          double field_of_view_rad = kRightAngle_rad, std::size_t rays = 91) {
+  Scan scan;
+  scan.sensor_world = {p, heading};
+  scan.beams = std::make_shared<BeamFan>(BeamFan::spread(field_of_view_rad, rays));
+  scan.max_range_m = 2.5;
+  for (std::size_t i = 0; i < rays; ++i) {
+    double range_m = scan.max_range_m;
+    scan.range_m.push_back(range_m);
+    const Vec2 d = scan.direction_world(i);
+    for (const Circle& c : circles) {
+      const double along_m = (c.center - p).dot(d);
+      const double miss_m = cross(d, c.center - p);
+      const double root = c.radius_m * c.radius_m - miss_m * miss_m;
+      if (root >= 0 && along_m > 0) range_m = std::min(range_m, along_m - std::sqrt(root));
+    }
+    scan.range_m.back() = range_m;
+  }
+  return scan;
+}
+
+TEST(FreeSpace, KnowsNothingBeforeTheFirstScanAndNothingOutsideItsBounds) {
+  FreeSpace space(kBounds);
+  EXPECT_FALSE(space.is_free(Vec2(0, 0)));
+  space.mark_disc(Vec2(3.9, 0), 0.5);
+  EXPECT_TRUE(space.is_free(Vec2(3.9, 0.3)));
+  EXPECT_FALSE(space.is_free(Vec2(4.1, 0)));
+  EXPECT_FALSE(space.swept_disc_is_free(Vec2(3.9, 0), Vec2(3.9, 0), 0.3));
+}
+
+TEST(FreeSpace, AClearViewIsFreeWithinTheFieldOfViewAndTheRange) {
+  FreeSpace space(kBounds);
+  space.update(look(Vec2(0, 0), Vec2(1, 0), {}));
+  EXPECT_TRUE(space.is_free(Vec2(1, 0)));
+  EXPECT_TRUE(space.is_free(Vec2(1.5, 1.2)));
+  EXPECT_FALSE(space.is_free(Vec2(2.6, 0)));
+  EXPECT_FALSE(space.is_free(Vec2(1, 1.2)));
+  EXPECT_FALSE(space.is_free(Vec2(-1, 0)));
+}
+
+TEST(FreeSpace, WhatLiesBehindAnObstacleStaysUnknown) {
+  FreeSpace space(kBounds);
+  space.update(look(Vec2(0, 0), Vec2(1, 0), {{Vec2(1.5, 0), 0.3}}));
+  EXPECT_TRUE(space.is_free(Vec2(1.0, 0)));
+  EXPECT_FALSE(space.is_free(Vec2(1.3, 0)));
+  EXPECT_FALSE(space.is_free(Vec2(2.2, 0)));
+  EXPECT_TRUE(space.is_free(Vec2(2.0, 1.0)));
+}
+
+TEST(FreeSpace, ABeamWithoutAMeasurementProvesNothing) {
+  Scan scan = look(Vec2(0, 0), Vec2(1, 0), {});
+  scan.range_m[45] = std::numeric_limits<double>::quiet_NaN();
+  FreeSpace space(kBounds);
+  space.update(scan);
+  EXPECT_FALSE(space.is_free(Vec2(2, 0)));
+  EXPECT_TRUE(space.is_free(Vec2(2, 0.3)));
+}
+
+// Property: no point of a cell that is called free lies inside an obstacle, whatever the scans.
+TEST(FreeSpace, NeverCallsAnObstacleFree) {
+  std::size_t free_cells = 0;
+  for (std::uint64_t seed = 1; seed <= 60; ++seed) {
+    Random random(seed);
+    std::vector<Circle> circles;
+    for (int i = 0; i < 12; ++i) {
+      circles.push_back(
+          {Vec2(random.uniform(-4, 4), random.uniform(-4, 4)), random.uniform(0.1, 0.6)});
+    }
+    FreeSpace space(kBounds);
+    for (int i = 0; i < 10; ++i) {
+      const Vec2 p(random.uniform(-3, 3), random.uniform(-3, 3));
+      const bool inside = std::any_of(circles.begin(), circles.end(), [&](const Circle& c) {
+        return (c.center - p).norm() < c.radius_m + 0.05;
+      });
+      if (inside) continue;
+      const Vec2 heading = Vec2(random.uniform(-1, 1), random.uniform(-1, 1)).normalized();
+      space.update(i % 2 ? look(p, heading, circles)
+                         : look(p, heading, circles, kFullCircle_rad, 360));
+    }
+    for (int i = 0; i < 4000; ++i) {
+      const Vec2 p(random.uniform(-4, 4), random.uniform(-4, 4));
+      if (!space.is_free(p)) continue;
+      for (const Circle& c : circles) {
+        ASSERT_GT((c.center - p).norm(), c.radius_m) << "seed " << seed << " at " << p.transpose();
+      }
+    }
+    free_cells += space.free_cells();
+  }
+  EXPECT_GT(free_cells, 60 * 5000U);
+}
+
+// Property: the row by row test of a swept disc equals asking every cell that it touches.
+TEST(FreeSpace, SweptDiscIsFreeExactlyIfEveryCellItTouchesIs) {
+  const double cell_m = 0.05;
+  int free_count = 0;
+  for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+    Random random(seed);
+    FreeSpace space(kBounds);
+    for (int i = 0; i < 8; ++i) {
+      space.mark_disc(Vec2(random.uniform(-2, 2), random.uniform(-2, 2)), random.uniform(0.5, 1.5));
+    }
+    for (int i = 0; i < 100; ++i) {
+      const Vec2 a(random.uniform(-2, 2), random.uniform(-2, 2));
+      const Vec2 b = a + Vec2(random.uniform(-1, 1), random.uniform(-1, 1));
+      const double radius_m = random.uniform(0.05, 0.4);
+      bool all_free = true;
+      bool close_call = false;
+      for (int row = -80; row < 80; ++row) {
+        for (int column = -80; column < 80; ++column) {
+          // Distance from the cell to the segment: its closest point by fine sampling of the edge.
+          const Vec2 low(column * cell_m, row * cell_m);
+          const Vec2 center = low + Vec2(0.5, 0.5) * cell_m;
+          if (std::abs(distance(center, Segment{a, b}) - radius_m) > cell_m) {
+            if (distance(center, Segment{a, b}) < radius_m && !space.is_free(center))
+              all_free = false;
+            continue;
+          }
+          double nearest_m = 1e9;
+          for (int k = 0; k <= 200; ++k) {
+            const Vec2 q = a + (b - a) * (k / 200.0);
+            const Vec2 in = q.cwiseMax(low).cwiseMin(low + Vec2(cell_m, cell_m));
+            nearest_m = std::min(nearest_m, (q - in).norm());
+          }
+          if (std::abs(nearest_m - radius_m) < 2e-4) close_call = true;
+          const bool touched = nearest_m <= radius_m;
+          if (touched && !space.is_free(center)) all_free = false;
+        }
+      }
+      if (close_call) continue;
+      ASSERT_EQ(space.swept_disc_is_free(a, b, radius_m), all_free) << "seed " << seed << " " << i;
+      free_count += all_free;
+    }
+  }
+  EXPECT_GT(free_count, 10);
+}
+
+TEST(FreeSpace, NamesEveryUnknownCellThatATubeTouches) {
+  Random random(5);
+  std::vector<Vec2> unknown;
+  int refused = 0;
+  for (int round = 0; round < 400; ++round) {
+    FreeSpace space(kBounds);
+    space.mark_disc(Vec2(0, 0), random.uniform(0.5, 1.5));
+    std::vector<Vec2> corners;
+    for (int i = 0; i < 3; ++i)
+      corners.emplace_back(random.uniform(-0.6, 0.6), random.uniform(-0.6, 0.6));
+    const double radius_m = random.uniform(0.05, 0.4);
+    space.unknown_cells_in_tube(corners, radius_m, unknown);
+    const bool free = space.swept_disc_is_free(corners[0], corners[1], radius_m) &&
+                      space.swept_disc_is_free(corners[1], corners[2], radius_m);
+    EXPECT_TRUE(free || !unknown.empty());
+    refused += free ? 0 : 1;
+    for (const Vec2& middle : unknown) {
+      EXPECT_FALSE(space.is_free(middle));
+      const double distance_m = std::min(distance(middle, Segment{corners[0], corners[1]}),
+                                         distance(middle, Segment{corners[1], corners[2]}));
+      EXPECT_LE(distance_m, radius_m + space.cell_radius_m());
+    }
+  }
+  EXPECT_GT(refused, 50);
+  EXPECT_LT(refused, 350);
+}
+
+}  // namespace
+}  // namespace voronaut
