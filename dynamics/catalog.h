@@ -15,15 +15,21 @@
 #include "voronaut/dynamics/regulators/paper_literal.h"
 #include "voronaut/dynamics/regulators/pd_rate.h"
 #include "voronaut/dynamics/regulators/position_trajectory.h"
-#include "voronaut/dynamics/velocity_response.h"
 
-// Vehicles and regulators by name. Every config in the variants has a visit list:
-// std::visit([&](auto& config) { config.visit(v); }, spec.model).
+// Models, regulators and vehicles by name. What each can do is told by the virtuals of Model and
+// Regulator: nothing outside of this folder asks which one it is.
+//
+// To add one: a model or regulator is a file and one entry in its variant below, a vehicle is one
+// row in catalog.cpp.
 namespace voronaut {
 
+// A model's config has kName, a visit list and `Body`, the class that is made from it.
 using ModelConfig = std::variant<IdealConfig, QuadrotorConfig, CartConfig>;
+
+// A regulator's config has kName, a visit list and `Law`, the class that is made from it. A law
+// drives each model from whose config it can be made: Law(config, model's config, limits, period).
 using RegulatorConfig =
-    std::variant<IdealRegulatorConfig, PdRateConfig, PaperLiteralConfig, PositionTrajectoryConfig>;
+    std::variant<IdealRegulatorConfig, PaperLiteralConfig, PdRateConfig, PositionTrajectoryConfig>;
 
 struct VehicleSpec {
   std::string name;
@@ -42,38 +48,27 @@ struct VehicleSpec {
   }
 };
 
-// Rolls on the ground and only where it is heading: it keeps its height, looks where it drives and
-// cannot be promised to stop along a course in any direction (velocity_response throws).
-bool is_wheeled(const VehicleSpec& vehicle);
-
+// In alphabetical order.
 std::vector<std::string> vehicle_names();
 std::vector<std::string> regulator_names();
 
-// Throw std::invalid_argument that lists the known names.
-VehicleSpec vehicle(const std::string& name);
-RegulatorConfig regulator(const std::string& name);
+// With their default parameters. Throw std::invalid_argument that lists the known names.
+VehicleSpec find_vehicle(const std::string& name);
+RegulatorConfig find_regulator(const std::string& name);
 
 // Throws std::invalid_argument if the parameters make no vehicle (see the models' constructors).
 std::unique_ptr<Model> make_model(const ModelConfig& config);
 
-// Throws std::invalid_argument if the regulator does not fit the vehicle's model. `period_s` is the
-// time between two calls of regulate().
+Mobility mobility_of(const VehicleSpec& vehicle);
+
+// Throws std::invalid_argument if the regulator does not drive the vehicle's model. `period_s` is
+// the time between two calls of regulate().
 std::unique_ptr<Regulator> make_regulator(const RegulatorConfig& config, const VehicleSpec& vehicle,
-                                          double period_s = 0.01);
+                                          double period_s);
 
-// The law by which a vehicle under a regulator stops: what stopping_distance_m and safe_speed_m_s
-// of stopping.h take.
-struct StoppingLaw {
-  double k_1_s;
-  double a_m_s2;
-};
-
-// Throws like make_regulator. For paper_literal, which does not stop, kp/kd and the tilt limit.
+// Of the regulator that make_regulator makes; throw as it and as Regulator's virtuals do.
 StoppingLaw stopping_law(const RegulatorConfig& config, const VehicleSpec& vehicle);
-
-// How velocity answers a command under a regulator. Throws like make_regulator, for paper_literal,
-// whose loop is unstable: no stop can be promised for it, and for wheeled vehicles.
 VelocityResponse velocity_response(const RegulatorConfig& config, const VehicleSpec& vehicle,
-                                   double period_s = 0.01);
+                                   double period_s);
 
 }  // namespace voronaut

@@ -4,10 +4,18 @@
 
 namespace voronaut {
 
+// What a body can do at all, whatever regulates it.
+struct Mobility {
+  bool flies = true;           // false: stays on the ground, at the height it starts from
+  bool moves_sideways = true;  // false: only along its heading, so it looks where it goes
+};
+
 // How a body moves. A model is a pure function of state and command: it keeps no state of its own.
 class Model {
  public:
   virtual ~Model() = default;
+
+  virtual Mobility mobility() const = 0;
 
   // At rest at p_world, level, looking along `heading_world` (unit vector).
   virtual VehicleState at_rest(const Vec3& p_world, const Eigen::Vector2d& heading_world) const = 0;

@@ -1,6 +1,8 @@
 #pragma once
 
 #include "voronaut/dynamics/state.h"
+#include "voronaut/dynamics/stopping.h"
+#include "voronaut/dynamics/velocity_response.h"
 
 namespace voronaut {
 
@@ -14,6 +16,13 @@ class Regulator {
   virtual void reset(const VehicleState& state) = 0;
 
   virtual Command regulate(const Setpoint& setpoint, const VehicleState& state) = 0;
+
+  // How what it drives stops when told to. A law that does not stop says how it would if it did.
+  virtual StoppingLaw stopping_law() const = 0;
+
+  // How velocity answers a command: what the safety governor predicts with. Throws
+  // std::invalid_argument with the reason where no stop can be promised.
+  virtual VelocityResponse velocity_response() const = 0;
 };
 
 }  // namespace voronaut

@@ -7,6 +7,12 @@
 // [m/s^2] (g tan(max tilt) for the quadrotor). All speeds and distances are along one line, >= 0.
 namespace voronaut {
 
+// The law by which a vehicle under a regulator stops: what the functions below take.
+struct StoppingLaw {
+  double k_1_s;   // deceleration per speed, when slow
+  double a_m_s2;  // and its bound
+};
+
 // Distance run from speed V until rest: V/k while k V <= a, else V^2/(2a) + a/(2k^2) plus the time
 // 0.1 s it takes to tilt, times the excess V - a/k. Fitted to the full quadrotor model: within 2.5
 // % of it for the corrected inertia, up to 8 % short for the printed one, whose rotors saturate.

@@ -29,7 +29,7 @@ Rows rows_of(const std::vector<ShippedFile>& files) {
 Rows vehicle_rows() {
   Rows rows;
   for (const std::string& name : vehicle_names()) {
-    const VehicleSpec spec = vehicle(name);
+    const VehicleSpec spec = find_vehicle(name);
     rows.emplace_back(name, "body radius " + number_text(spec.body_radius_m) + " m, clearance " +
                                 number_text(spec.clearance_min_m) + " m, up to " +
                                 number_text(spec.limits.max_speed_m_s) + " m/s, regulator " +

@@ -76,7 +76,8 @@ void Flight::recover(const VehicleState& state, double now_s) {
     case RecoveryAction::none:
       return;
     case RecoveryAction::back_off:
-      back_off_until_s = now_s + kBackOff_s + (is_wheeled(spec.vehicle) ? kTurnRound_s : 0);
+      back_off_until_s =
+          now_s + kBackOff_s + (mobility_of(spec.vehicle).moves_sideways ? 0 : kTurnRound_s);
       back_off_from = crowding(p) ? crowding(p) : hemming_in(p);
       return;
     case RecoveryAction::squeeze:

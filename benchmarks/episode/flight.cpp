@@ -82,7 +82,7 @@ Flight::Flight(const TrialSpec& trial, const PlannerCatalog& planners, bool keep
       keep_scans(keep),
       ticks_per_scan(ticks_per_scan_of(trial)),
       model(make_model(trial.vehicle.model)),
-      regulator(make_regulator(trial.regulator, trial.vehicle)),
+      regulator(make_regulator(trial.regulator, trial.vehicle, trial.loop.vehicle_period_s)),
       range_finder(trial.range_finder),
       sensor_noise(derive_seed(trial.planner_seed, {"range finder"}, 0)),
       map(trial.mapping),

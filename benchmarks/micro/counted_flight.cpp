@@ -18,8 +18,8 @@ constexpr double kPeriodS = 0.01;
 struct FlownSteps {
   static constexpr std::size_t kSteps = 5'000;
 
-  FlownSteps() : spec(vehicle("quadrotor")), model(make_model(spec.model)) {
-    regulator = make_regulator(voronaut::regulator(spec.regulator), spec, kPeriodS);
+  FlownSteps() : spec(find_vehicle("quadrotor")), model(make_model(spec.model)) {
+    regulator = make_regulator(find_regulator(spec.regulator), spec, kPeriodS);
     VehicleState state = model->at_rest(Vec3(0, 0, 1), Vec2(1, 0));
     Command applied = model->hold();
     regulator->reset(state);
@@ -98,9 +98,9 @@ TrialSpec reactive_trial(std::size_t steps) {
   ompl::msg::setLogLevel(ompl::msg::LOG_NONE);
   TrialSpec spec;
   spec.scenario = alley(steps);
-  spec.vehicle = vehicle("quadrotor");
+  spec.vehicle = find_vehicle("quadrotor");
   spec.regulator_name = spec.vehicle.regulator;
-  spec.regulator = regulator(spec.regulator_name);
+  spec.regulator = find_regulator(spec.regulator_name);
   spec.planner = {"repaired", "ReactiveVoronoi", {{"preset", "repaired"}}};
   spec.range_finder.rate_hz = 1 / kPeriodS;
   spec.range_finder.rays = 181;

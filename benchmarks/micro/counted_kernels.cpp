@@ -12,6 +12,7 @@ namespace {
 CountedKernel mapping_after(const std::string& scans, double known_scans, double limit) {
   const auto known = static_cast<std::size_t>(known_scans);
   return {"mapping_181_after_" + scans,
+          "new ground",
           "scan of 181 rays",
           limit,
           6'000,
@@ -23,20 +24,23 @@ CountedKernel mapping_after(const std::string& scans, double known_scans, double
 
 CountedKernel check(const std::string& name, double limit, double goal, Checker checker, Check what,
                     std::size_t scans) {
-  const std::string swept = what == Check::motion ? " swept 2 m" : "";
-  return {name, "disc of 0.3 m" + swept, limit, goal,
-          [=] { return check_work(checker, what, scans); }};
+  const std::string asked = what == Check::motion ? "disc of 0.3 m swept 2 m" : "disc of 0.3 m";
+  const std::string who = checker == Checker::snapshot   ? ", asked of the map"
+                          : checker == Checker::ompl_own ? ", asked through OMPL, bounds included"
+                                                         : ", asked of FCL";
+  return {name,  asked + who, "check",
+          limit, goal,        [=] { return check_work(checker, what, scans); }};
 }
 
 }  // namespace
 
 const std::vector<CountedKernel>& counted_kernels() {
   static const std::vector<CountedKernel> kernels{
-      {"mapping_181", "scan of 181 rays", 5'800, 6'000, [] { return mapping_work(181, 0, false); },
-       false, true},
-      {"mapping_720", "scan of 720 rays", 11'830, 18'000,
+      {"mapping_181", "new ground", "scan of 181 rays", 5'800, 6'000,
+       [] { return mapping_work(181, 0, false); }, false, true},
+      {"mapping_720", "new ground", "scan of 720 rays", 11'830, 18'000,
        [] { return mapping_work(720, 0, false); }, false, true},
-      {"mapping_181_known", "scan of 181 rays", 4'350, 6'000,
+      {"mapping_181_known", "nothing new, no allocation", "scan of 181 rays", 4'350, 6'000,
        [] { return mapping_work(181, 0, true); }},
       mapping_after("1k", 1'000, 5'890),
       mapping_after("3k", 3'000, 5'750),
@@ -49,19 +53,23 @@ const std::vector<CountedKernel>& counted_kernels() {
       check("motion_check_ompl", 464, 0, Checker::ompl_own, Check::motion, 1'000),
       check("state_check_fcl", 2'300, 0, Checker::ompl_fcl, Check::state, 1'000),
       check("motion_check_fcl", 5'350, 0, Checker::ompl_fcl, Check::motion, 1'000),
-      {"checks_expected", "point that became known", 2'350, 2'000, expecting_checks_work},
-      {"governed_cycle", "scan of 91 rays, navigation alone", 52'000, 60'000, make_governed_cycle},
-      {"sensing_720", "ray, forest scan", 14.2, 50, [] { return sensing_work(720, false); }},
-      {"sensing_720_walls", "ray, walls for circles", 15.8, 50,
+      {"checks_expected", "what a checker does to be that fast", "new point", 2'350, 2'000,
+       expecting_checks_work},
+      {"governed_cycle", "map, belief, policies, tracker, governor", "scan of 91 rays", 52'000,
+       60'000, make_governed_cycle},
+      {"sensing_720", "exact fan on circles, walk included", "ray", 14.2, 50,
+       [] { return sensing_work(720, false); }},
+      {"sensing_720_walls", "exact fan on segments, walk included", "ray", 15.8, 50,
        [] { return sensing_work(720, true); }},
-      {"vehicle_step", "step of the quadrotor", 900, 900, vehicle_step_work},
-      {"regulate", "command of pd_rate", 390, 0, regulate_work},
-      {"closed_loop", "step with scan, map, plan", 18'400, 30'000,
-       [] { return closed_loop_work(0, 3'000); }},
-      {"closed_loop_after_97k", "step with scan, map, plan", 30'000, 30'000,
+      {"vehicle_step", "quadrotor, Runge-Kutta", "step", 900, 900, vehicle_step_work},
+      {"regulate", "pd_rate", "command", 390, 0, regulate_work},
+      {"closed_loop", "scan of 181 rays, map, reactive plan, regulator, model", "step", 18'400,
+       30'000, [] { return closed_loop_work(0, 3'000); }},
+      {"closed_loop_after_97k", "the same flight, its last 3 000 steps", "step", 30'000, 30'000,
        [] { return closed_loop_work(97'000, 3'000); }, true},
-      {"voronoi_build_1000", "site", 6'600, 0, [] { return voronoi_build_work(1'000); }},
-      {"voronoi_insert_1000", "site worked in", 33'000, 0,
+      {"voronoi_build_1000", "diagram and roadmap of 1000 random points", "point", 6'600, 0,
+       [] { return voronoi_build_work(1'000); }},
+      {"voronoi_insert_1000", "one more point worked into the diagram", "point", 33'000, 0,
        [] { return voronoi_insert_work(1'000); }},
   };
   return kernels;

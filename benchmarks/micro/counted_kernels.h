@@ -11,6 +11,7 @@ namespace voronaut::micro {
 
 struct CountedKernel {
   std::string name;
+  std::string what;           // is counted
   std::string operation;      // what one operation is
   double limit_instructions;  // per operation, on the average: more is a regression
   double goal_instructions;   // what is aimed at, 0: nothing; the limit follows as it is approached

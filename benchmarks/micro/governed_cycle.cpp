@@ -15,9 +15,9 @@ TrialSpec governed_trial() {
   spec.scenario =
       ScenarioSpec::generated({}, WorldGenerator::read(ConfigNode::parse(forest, "governed cycle")))
           .instantiate(1);
-  spec.vehicle = vehicle("quadrotor");
+  spec.vehicle = find_vehicle("quadrotor");
   spec.regulator_name = spec.vehicle.regulator;
-  spec.regulator = regulator(spec.regulator_name);
+  spec.regulator = find_regulator(spec.regulator_name);
   spec.planner = {"VoronoiRoadmap", "VoronoiRoadmap", {}};
   spec.range_finder.rays = 91;
   spec.navigation.governor = spec.navigation.look_around = spec.navigation.recovery = true;

@@ -32,9 +32,9 @@ void closed_loop(benchmark::State& state) {
   const PlannerCatalog planners = PlannerCatalog::built_in();
   TrialSpec spec;
   spec.scenario = even_obstacles();
-  spec.vehicle = vehicle("quadrotor");
+  spec.vehicle = find_vehicle("quadrotor");
   spec.regulator_name = spec.vehicle.regulator;
-  spec.regulator = regulator(spec.regulator_name);
+  spec.regulator = find_regulator(spec.regulator_name);
   spec.planner = {"repaired", "ReactiveVoronoi", {{"preset", "repaired"}}};
   spec.range_finder.rate_hz = 100;
   spec.range_finder.rays = static_cast<int>(state.range(0));
@@ -57,9 +57,10 @@ BENCHMARK(closed_loop)->Arg(91)->Arg(181)->Unit(benchmark::kMillisecond);
 
 // The quadrotor's model and its regulator, turn and turn about, to a target 3 m away and back.
 void vehicle_step(benchmark::State& state) {
-  const VehicleSpec spec = vehicle("quadrotor");
+  constexpr double kPeriod_s = 0.01;
+  const VehicleSpec spec = find_vehicle("quadrotor");
   const std::unique_ptr<Model> model = make_model(spec.model);
-  const auto law = make_regulator(regulator(spec.regulator), spec);
+  const auto law = make_regulator(find_regulator(spec.regulator), spec, kPeriod_s);
   VehicleState at = model->at_rest(Vec3(0, 0, 1), Vec2(1, 0));
   Command command = model->hold();
   law->reset(at);
@@ -70,7 +71,7 @@ void vehicle_step(benchmark::State& state) {
   for (auto _ : state) {
     setpoint.p_target_world = Vec3(++steps / 200 % 2 == 0 ? 3 : 0, 0, 1);
     if (regulated) command = law->regulate(setpoint, at);
-    at = model->step(at, command, 0.01);
+    at = model->step(at, command, kPeriod_s);
     benchmark::DoNotOptimize(at);
   }
 }

@@ -165,9 +165,8 @@ void register_maps() {
 }
 
 void register_lidar(const std::string& data) {
-  for (const std::string& name : lidar_names()) {
-    const std::string path = lidar_path(data, name);
-    const auto run = [path](benchmark::State& state) {
+  for (const auto& [name, path] : lidar_logs(data)) {
+    const auto run = [path = path](benchmark::State& state) {
       std::vector<MeasuredScan> scans;
       try {
         for (const Scan& scan : read_carmen_log(path, kLidarRangeM))

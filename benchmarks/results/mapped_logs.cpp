@@ -1,6 +1,8 @@
 #include "voronaut/benchmarks/results/mapped_logs.h"
 
+#include <algorithm>
 #include <filesystem>
+#include <string_view>
 
 #include "voronaut/environments/sensing/carmen_log.h"
 #include "voronaut/planners/mapping/obstacle_base.h"
@@ -8,7 +10,15 @@
 namespace voronaut {
 namespace {
 
+namespace fs = std::filesystem;
+
 constexpr std::size_t kMostReturnsDrawn = 20'000;
+
+bool drop_ending(std::string& name, std::string_view ending) {
+  if (!name.ends_with(ending)) return false;
+  name.erase(name.size() - ending.size());
+  return true;
+}
 
 void append(Places& places, const Vec2& p) {
   places.x_m.push_back(p.x());
@@ -47,22 +57,25 @@ MappedLog map_log(const std::string& name, const std::string& path) {
 
 }  // namespace
 
-const std::vector<std::string>& lidar_names() {
-  static const std::vector<std::string> names{"intel",   "csail", "orebro",
-                                              "seattle", "fhw",   "infinite-corridor"};
-  return names;
-}
-
-std::string lidar_path(const std::string& data, const std::string& name) {
-  return data + "/lidar/" + name + "-corrected.log.gz";
+std::vector<LidarLog> lidar_logs(const std::string& data) {
+  const fs::path folder = fs::path(data) / "lidar";
+  std::vector<LidarLog> logs;
+  if (data.empty() || !fs::is_directory(folder)) return logs;
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder)) {
+    std::string name = entry.path().filename().string();
+    drop_ending(name, ".gz");
+    if (!drop_ending(name, ".log")) continue;
+    drop_ending(name, "-corrected");
+    logs.push_back({name, entry.path().string()});
+  }
+  std::sort(logs.begin(), logs.end(),
+            [](const LidarLog& a, const LidarLog& b) { return a.path < b.path; });
+  return logs;
 }
 
 std::vector<MappedLog> map_logs(const std::string& data) {
   std::vector<MappedLog> logs;
-  for (const std::string& name : lidar_names()) {
-    const std::string path = lidar_path(data, name);
-    if (std::filesystem::is_regular_file(path)) logs.push_back(map_log(name, path));
-  }
+  for (const auto& [name, path] : lidar_logs(data)) logs.push_back(map_log(name, path));
   return logs;
 }
 

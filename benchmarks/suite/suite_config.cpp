@@ -84,14 +84,21 @@ void read_contents(const ConfigNode& root, const std::string& data_argument,
       [](const ScenarioSpec& scenario) { return scenario.name(); }, "give this one another name");
 }
 
-// A wheeled vehicle looks where it drives, and no stop is proved for it along a course that leads
-// anywhere else.
-void require_drivable(const ConfigNode& root, const SuiteConfig& suite) {
-  const auto wheeled =
-      std::find_if(suite.vehicles.begin(), suite.vehicles.end(),
-                   [](const VehicleEntry& entry) { return is_wheeled(entry.vehicle); });
-  if (wheeled == suite.vehicles.end() || suite.kind == TrialKind::static_planning) return;
-  const std::string who = "vehicle " + in_quotes(wheeled->vehicle.name);
+// Why the safety governor cannot keep a vehicle from touching, empty if it can.
+std::string why_no_stop(const VehicleEntry& entry, double period_s) {
+  try {
+    velocity_response(entry.regulator, entry.vehicle, period_s);
+  } catch (const std::invalid_argument& error) {
+    return error.what();
+  }
+  return {};
+}
+
+// Holds what the planners are flown with against what one of the vehicles can do.
+void require_able(const ConfigNode& root, const SuiteConfig& suite, const VehicleEntry& vehicle) {
+  const std::string who = "vehicle " + in_quotes(vehicle.vehicle.name);
+  const std::string no_stop = why_no_stop(vehicle, suite.loop.vehicle_period_s);
+  const bool looks_anywhere = mobility_of(vehicle.vehicle).moves_sideways;
   const std::vector<ConfigNode> entries = root.child("planners").items();
   for (std::size_t i = 0; i < suite.planners.size(); ++i) {
     const auto own = entries[i].is_map() ? entries[i].find("navigation") : std::nullopt;
@@ -102,11 +109,10 @@ void require_drivable(const ConfigNode& root, const SuiteConfig& suite) {
       return entries[i];
     };
     const NavigationConfig& navigation = suite.planners[i].navigation.value_or(suite.navigation);
-    if (navigation.governor)
+    if (navigation.governor && !no_stop.empty())
       throw said_at("governor")
-          .error("the governor proves no stop for " + who +
-                 ", which cannot move sideways (allowed: false)");
-    if (navigation.gaze != Gaze::path)
+          .error("no governor for " + who + ": " + no_stop + " (allowed: false)");
+    if (navigation.gaze != Gaze::path && !looks_anywhere)
       throw said_at("gaze").error("navigation.gaze 'fixed' is not for " + who +
                                   ", which looks where it drives (allowed: path)");
   }
@@ -137,7 +143,8 @@ SuiteConfig read_suite(const ConfigNode& root, const std::string& data_argument,
   if (const auto traces = root.find("traces"))
     suite.traces = static_cast<TraceKeeping>(traces->choice({"all", "failures", "none"}));
   read_contents(root, data_argument, planners, suite);
-  require_drivable(root, suite);
+  if (suite.kind == TrialKind::flown)
+    for (const VehicleEntry& vehicle : suite.vehicles) require_able(root, suite, vehicle);
   if (const auto claims = root.find("claims"))
     for (const ConfigNode& entry : claims->items())
       suite.claims.push_back(read_claim(entry, suite));

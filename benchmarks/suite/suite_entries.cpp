@@ -120,7 +120,7 @@ void require_parameters(const ConfigNode& entry, const PlannerEntry& planner,
 VehicleEntry read_vehicle(const ConfigNode& entry) {
   if (entry.is_map()) entry.allow_only({"name", "label", "params", "model", "regulator"});
   VehicleEntry read;
-  read.vehicle = vehicle(known_name(name_node(entry), "vehicle", vehicle_names()));
+  read.vehicle = find_vehicle(known_name(name_node(entry), "vehicle", vehicle_names()));
   read_label(entry, read.vehicle.name);
   read.regulator_name = read.vehicle.regulator;
   std::optional<ConfigNode> regulator_node;
@@ -133,14 +133,14 @@ VehicleEntry read_vehicle(const ConfigNode& entry) {
     if (regulator_node->is_map()) regulator_node->allow_only({"name", "params"});
     read.regulator_name = known_name(name_node(*regulator_node), "regulator", regulator_names());
   }
-  read.regulator = regulator(read.regulator_name);
+  read.regulator = find_regulator(read.regulator_name);
   if (regulator_node && regulator_node->is_map())
     read_params(*regulator_node, "params", read.regulator);
   if (read.vehicle.clearance_min_m < read.vehicle.body_radius_m)
     throw entry.error("clearance_min_m " + number_text(read.vehicle.clearance_min_m) +
                       " is less than body_radius_m " + number_text(read.vehicle.body_radius_m));
   at(entry, [&] { make_model(read.vehicle.model); });
-  at(regulator_node.value_or(entry), [&] { make_regulator(read.regulator, read.vehicle); });
+  at(regulator_node.value_or(entry), [&] { stopping_law(read.regulator, read.vehicle); });
   return read;
 }
 

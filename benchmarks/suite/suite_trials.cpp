@@ -64,7 +64,8 @@ PlannedTrial SuiteTrials::trial(const VehicleEntry& vehicle, const PlannerSpec& 
   spec.suite = suite_.name;
   spec.kind = suite_.kind;
   spec.scenario = scenario_;
-  if (is_wheeled(vehicle.vehicle)) spec.scenario.start_height_m = spec.scenario.cruise_height_m = 0;
+  if (!mobility_of(vehicle.vehicle).flies)
+    spec.scenario.start_height_m = spec.scenario.cruise_height_m = 0;
   spec.world_id = world_id_;
   spec.vehicle = vehicle.vehicle;
   spec.regulator_name = vehicle.regulator_name;

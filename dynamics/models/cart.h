@@ -4,11 +4,16 @@
 
 namespace voronaut {
 
+class Cart;
+
 // A cart on two driven wheels with DC motors and a castor without mass: the vehicle of the cart
 // planner paper (Soloviev et al.), which leaves its model to Budanov and Deyanin 2003. Their text
 // was not at hand: these are the textbook equations of that vehicle (docs/equations.md), the
 // numbers those of a small research robot.
 struct CartConfig {
+  using Body = Cart;
+  static constexpr const char* kName = "cart";
+
   double body_mass_kg = 9;  // without the wheels
   double wheel_mass_kg = 0.4;
   double wheel_radius_m = 0.0975;
@@ -83,6 +88,7 @@ class Cart : public Model {
   explicit Cart(const CartConfig& config = {})
       : coefficients_(config), max_voltage_V_(config.max_voltage_V) {}
 
+  Mobility mobility() const override { return {.flies = false, .moves_sideways = false}; }
   VehicleState at_rest(const Vec3& p_world, const Eigen::Vector2d& heading_world) const override;
   Command hold() const override { return {}; }
   VehicleState step(const VehicleState& state, const Command& command,

@@ -4,7 +4,12 @@
 
 namespace voronaut {
 
+class Ideal;
+
 struct IdealConfig {
+  using Body = Ideal;
+  static constexpr const char* kName = "ideal";
+
   double max_acceleration_m_s2 = 3;
   double max_yaw_rate_rad_s = 2;
 
@@ -22,6 +27,7 @@ class Ideal : public Model {
  public:
   explicit Ideal(const IdealConfig& config = {}) : config_(config) {}
 
+  Mobility mobility() const override { return {}; }
   VehicleState at_rest(const Vec3& p_world, const Eigen::Vector2d& heading_world) const override;
   Command hold() const override { return {}; }
   VehicleState step(const VehicleState& state, const Command& command,

@@ -5,6 +5,8 @@
 #include <stdexcept>
 #include <string>
 
+#include <sleef.h>
+
 #include "voronaut/dynamics/attitude.h"
 #include "voronaut/dynamics/integrate.h"
 
@@ -139,6 +141,11 @@ Vec3 QuadrotorConfig::inertia_kg_m2() const {
 
 double QuadrotorConfig::hover_rotor_speed_rad_s() const {
   return std::sqrt(mass_kg * gravity_m_s2 / (4 * thrust_factor_N_s2));
+}
+
+double QuadrotorConfig::max_acceleration_m_s2(const MotionLimits& limits) const {
+  return std::min(limits.max_acceleration_m_s2,
+                  gravity_m_s2 * Sleef_cinz_tand1_u10purec(limits.max_tilt_rad));
 }
 
 Quadrotor::Quadrotor(const QuadrotorConfig& config)

@@ -1,12 +1,18 @@
 #pragma once
 
+#include "voronaut/dynamics/limits.h"
 #include "voronaut/dynamics/model.h"
 
 namespace voronaut {
 
+class Quadrotor;
+
 // The quadrotor of eqs. (1)-(2) of the quadrotor planner paper (Finaev et al.): plus configuration,
 // rotors 1..4 at the body's +x, -y, -x, +y; 1 and 3 turn counter-clockwise seen from above.
 struct QuadrotorConfig {
+  using Body = Quadrotor;
+  static constexpr const char* kName = "quadrotor";
+
   // The paper prints I_xx = I_yy = 0.081, I_zz = 0.142 kg m^2, which is more than its whole mass at
   // the rotor hubs would have. A tenth of it fits the other parameters and is the default.
   enum class InertiaSet { corrected, printed, custom };
@@ -30,6 +36,8 @@ struct QuadrotorConfig {
 
   Vec3 inertia_kg_m2() const;
   double hover_rotor_speed_rad_s() const;  // sqrt(m g / 4 b)
+  // Horizontal, within the limits of acceleration and tilt.
+  double max_acceleration_m_s2(const MotionLimits& limits) const;
 
   template <class Visitor>
   void visit(Visitor& v) {
@@ -73,6 +81,7 @@ class Quadrotor : public Model {
   // Throws std::invalid_argument if the rotors cannot hold the vehicle in the air.
   explicit Quadrotor(const QuadrotorConfig& config = {});
 
+  Mobility mobility() const override { return {}; }
   VehicleState at_rest(const Vec3& p_world, const Eigen::Vector2d& heading_world) const override;
   Command hold() const override;
   VehicleState step(const VehicleState& state, const Command& command,

@@ -6,6 +6,21 @@
 #include "voronaut/dynamics/regulators/guidance.h"
 
 namespace voronaut {
+namespace {
+
+// Bounds of VelocityResponse::error_m that tests/dynamics/velocity_response_test.cpp holds.
+constexpr double kStopErrorAtRest_m = 0.006;
+constexpr double kStopError_s = 0.001;
+
+}  // namespace
+
+IdealRegulator::IdealRegulator(const IdealRegulatorConfig& config, const IdealConfig& vehicle,
+                               const MotionLimits& limits, double period_s)
+    : config_(config),
+      limits_(limits),
+      period_s_(period_s),
+      vehicle_acceleration_m_s2_(vehicle.max_acceleration_m_s2),
+      profile_(config.profile) {}
 
 Command IdealRegulator::regulate(const Setpoint& setpoint, const VehicleState& state) {
   const double a_max = limits_.max_acceleration_m_s2;
@@ -23,6 +38,22 @@ Command IdealRegulator::regulate(const Setpoint& setpoint, const VehicleState& s
   const double yaw_rate = desired_yaw_rate_rad_s(setpoint, state.heading_world(),
                                                  config_.yaw_gain_1_s, limits_.max_yaw_rate_rad_s);
   return {{horizontal.x(), horizontal.y(), vertical, yaw_rate}};
+}
+
+StoppingLaw IdealRegulator::stopping_law() const {
+  return {config_.velocity_gain_1_s,
+          std::min(limits_.max_acceleration_m_s2, vehicle_acceleration_m_s2_)};
+}
+
+VelocityResponse IdealRegulator::velocity_response() const {
+  const StoppingLaw law = stopping_law();
+  VelocityResponse response;
+  response.period_s = period_s_;
+  response.k_1_s = law.k_1_s;
+  response.a_max_m_s2 = law.a_m_s2;
+  response.error_at_rest_m = kStopErrorAtRest_m;
+  response.error_per_speed_s = kStopError_s;
+  return response;
 }
 
 }  // namespace voronaut

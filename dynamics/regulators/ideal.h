@@ -1,12 +1,18 @@
 #pragma once
 
 #include "voronaut/dynamics/limits.h"
+#include "voronaut/dynamics/models/ideal.h"
 #include "voronaut/dynamics/regulator.h"
 #include "voronaut/dynamics/speed_profile.h"
 
 namespace voronaut {
 
+class IdealRegulator;
+
 struct IdealRegulatorConfig {
+  using Law = IdealRegulator;
+  static constexpr const char* kName = "ideal";
+
   double velocity_gain_1_s = 1.786;  // k, as kp/kd of pd_rate: the same stopping distance
   double height_gain_1_s = 1.667;    // climb per error of height
   double climb_gain_1_s = 5.4;       // vertical acceleration per error of climb
@@ -27,15 +33,20 @@ struct IdealRegulatorConfig {
 // Memoryless. Height comes first where the two compete for a_max.
 class IdealRegulator : public Regulator {
  public:
-  IdealRegulator(const IdealRegulatorConfig& config, const MotionLimits& limits)
-      : config_(config), limits_(limits), profile_(config.profile) {}
+  // `period_s` is the time between two calls.
+  IdealRegulator(const IdealRegulatorConfig& config, const IdealConfig& vehicle,
+                 const MotionLimits& limits, double period_s);
 
   void reset(const VehicleState&) override {}
   Command regulate(const Setpoint& setpoint, const VehicleState& state) override;
+  StoppingLaw stopping_law() const override;
+  VelocityResponse velocity_response() const override;
 
  private:
   IdealRegulatorConfig config_;
   MotionLimits limits_;
+  double period_s_;
+  double vehicle_acceleration_m_s2_;  // what its body can do
   SpeedProfile profile_;
 };
 

@@ -1,5 +1,7 @@
 #include "voronaut/dynamics/regulators/paper_literal.h"
 
+#include <stdexcept>
+
 #include "voronaut/dynamics/regulators/guidance.h"
 #include "voronaut/dynamics/regulators/rotor_mixing.h"
 
@@ -11,7 +13,8 @@ PaperLiteral::PaperLiteral(const PaperLiteralConfig& config, const QuadrotorConf
       limits_(limits),
       period_s_(period_s),
       profile_(config.profile),
-      hover_rad_s_(vehicle.hover_rotor_speed_rad_s()) {}
+      hover_rad_s_(vehicle.hover_rotor_speed_rad_s()),
+      max_acceleration_m_s2_(vehicle.max_acceleration_m_s2(limits)) {}
 
 void PaperLiteral::reset(const VehicleState& state) {
   ahead_world_ = state.heading_world();
@@ -33,6 +36,14 @@ Command PaperLiteral::regulate(const Setpoint& setpoint, const VehicleState& sta
   demand.right = push.x() * ahead_world_.y() - push.y() * ahead_world_.x();
   previous_ = state;
   return mixed(demand, config_.typo_in_eq3);
+}
+
+StoppingLaw PaperLiteral::stopping_law() const {
+  return {config_.horizontal_kp / config_.horizontal_kd, max_acceleration_m_s2_};
+}
+
+VelocityResponse PaperLiteral::velocity_response() const {
+  throw std::invalid_argument("regulator 'paper_literal' promises no stop: it is unstable");
 }
 
 }  // namespace voronaut

@@ -7,9 +7,14 @@
 
 namespace voronaut {
 
+class PaperLiteral;
+
 // Eqs. (3)-(6) of the quadrotor planner paper (Finaev et al.) and nothing else. Gains in rad/s of
 // rotor speed per m/s, m/s^2 (horizontal) and per m, m/s (height).
 struct PaperLiteralConfig {
+  using Law = PaperLiteral;
+  static constexpr const char* kName = "paper_literal";
+
   double horizontal_kp = 20;
   double horizontal_kd = 20;
   double height_kp = 97.93;
@@ -39,10 +44,12 @@ class PaperLiteral : public Regulator {
  public:
   // `period_s` is the time between two calls.
   PaperLiteral(const PaperLiteralConfig& config, const QuadrotorConfig& vehicle,
-               const MotionLimits& limits, double period_s = 0.01);
+               const MotionLimits& limits, double period_s);
 
   void reset(const VehicleState& state) override;
   Command regulate(const Setpoint& setpoint, const VehicleState& state) override;
+  StoppingLaw stopping_law() const override;  // kp/kd and the tilt limit
+  VelocityResponse velocity_response() const override;
 
  private:
   PaperLiteralConfig config_;
@@ -50,6 +57,7 @@ class PaperLiteral : public Regulator {
   double period_s_;
   SpeedProfile profile_;
   double hover_rad_s_;
+  double max_acceleration_m_s2_;
   Eigen::Vector2d ahead_world_ = Eigen::Vector2d::UnitX();
   VehicleState previous_;
 };

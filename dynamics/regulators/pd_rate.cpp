@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include <sleef.h>
-
 #include "voronaut/dynamics/regulators/guidance.h"
 
 namespace voronaut {
@@ -16,6 +14,11 @@ using Poles = PdRateConfig::Poles;
 constexpr double kHeightReserve = 0.1;  // of hover speed, kept from the limits for tilt
 constexpr double kYawAuthority = 0.15;  // of hover speed
 constexpr double kMinCosTilt = 0.25;    // the thrust is not raised for more tilt than that
+
+// Bounds of VelocityResponse::error_m that tests/dynamics/velocity_response_test.cpp holds.
+constexpr double kStopErrorAtRest_m = 0.014;
+constexpr double kAgileStopError_s = 0.008;    // on the corrected inertia
+constexpr double kSluggishStopError_s = 0.08;  // on the printed one the rotors saturate
 
 struct HorizontalPoles {
   double velocity_rad_s, attitude_rad_s, damping;
@@ -83,9 +86,7 @@ PdRate::PdRate(const PdRateConfig& config, const QuadrotorConfig& vehicle,
       gains_(place_poles(config, vehicle)),
       profile_(config.profile),
       hover_rad_s_(vehicle.hover_rotor_speed_rad_s()),
-      max_acceleration_m_s2_(
-          std::min(limits.max_acceleration_m_s2,
-                   vehicle.gravity_m_s2 * Sleef_cinz_tand1_u10purec(limits.max_tilt_rad))) {}
+      max_acceleration_m_s2_(vehicle.max_acceleration_m_s2(limits)) {}
 
 void PdRate::reset(const VehicleState& state) { previous_v_world_ = state.v_world.head<2>(); }
 
@@ -127,6 +128,31 @@ Command PdRate::regulate(const Setpoint& setpoint, const VehicleState& state) {
   demand.yaw = gains_.yaw_kr * (yaw_rate - r);
   saturate(demand);
   return mixed(demand);
+}
+
+StoppingLaw PdRate::stopping_law() const {
+  return {gains_.velocity_gain_1_s(), max_acceleration_m_s2_};
+}
+
+VelocityResponse PdRate::velocity_response() const {
+  const StoppingLaw law = stopping_law();
+  const double kappa = 2 * vehicle_.thrust_factor_N_s2 * vehicle_.arm_m * hover_rad_s_ /
+                       vehicle_.inertia_kg_m2().x();
+  const double room_rad_s = std::min(vehicle_.max_rotor_speed_rad_s - hover_rad_s_,
+                                     hover_rad_s_ - vehicle_.min_rotor_speed_rad_s);
+  VelocityResponse response;
+  response.period_s = period_s_;
+  response.k_1_s = law.k_1_s;
+  response.a_max_m_s2 = law.a_m_s2;
+  response.gravity_m_s2 = vehicle_.gravity_m_s2;
+  response.gain_1_s2 = vehicle_.gravity_m_s2 * kappa * gains_.kd;
+  response.damping_1_s = kappa * gains_.kq;
+  response.push_max_m_s4 = vehicle_.gravity_m_s2 * kappa * 2 * room_rad_s;
+  response.error_at_rest_m = kStopErrorAtRest_m;
+  response.error_per_speed_s = vehicle_.inertia == QuadrotorConfig::InertiaSet::corrected
+                                   ? kAgileStopError_s
+                                   : kSluggishStopError_s;
+  return response;
 }
 
 void PdRate::saturate(RotorDemand& demand) const {

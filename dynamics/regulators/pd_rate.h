@@ -8,7 +8,12 @@
 
 namespace voronaut {
 
+class PdRate;
+
 struct PdRateConfig {
+  using Law = PdRate;
+  static constexpr const char* kName = "pd_rate";
+
   // Closed-loop poles (s + wv)(s^2 + 2 zeta wa s + wa^2) of the horizontal loops.
   enum class Poles {
     by_inertia,    // corrected or printed, as the vehicle's inertia set says
@@ -83,10 +88,12 @@ class PdRate : public Regulator {
  public:
   // `period_s` is the time between two calls.
   PdRate(const PdRateConfig& config, const QuadrotorConfig& vehicle, const MotionLimits& limits,
-         double period_s = 0.01);
+         double period_s);
 
   void reset(const VehicleState& state) override;
   Command regulate(const Setpoint& setpoint, const VehicleState& state) override;
+  StoppingLaw stopping_law() const override;
+  VelocityResponse velocity_response() const override;
 
  private:
   Eigen::Vector2d acceleration_world(const VehicleState& state) const;

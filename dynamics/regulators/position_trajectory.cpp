@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 
 #include "voronaut/dynamics/regulators/guidance.h"
 
@@ -161,6 +162,16 @@ Command PositionTrajectory::regulate(const Setpoint& setpoint, const VehicleStat
     left_V *= max_voltage_V_ / largest_V;
   }
   return {{right_V, left_V, 0, 0}};
+}
+
+StoppingLaw PositionTrajectory::stopping_law() const {
+  return {config_.point_gain_1_s, limits_.max_acceleration_m_s2};
+}
+
+VelocityResponse PositionTrajectory::velocity_response() const {
+  throw std::invalid_argument(
+      "regulator 'position_trajectory' promises no stop along a course in any direction: what it "
+      "drives cannot move sideways");
 }
 
 }  // namespace voronaut

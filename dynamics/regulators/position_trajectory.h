@@ -8,7 +8,12 @@
 
 namespace voronaut {
 
+class PositionTrajectory;
+
 struct PositionTrajectoryConfig {
+  using Law = PositionTrajectory;
+  static constexpr const char* kName = "position_trajectory";
+
   double control_point_ahead_m = 0.15;  // h; arcs must be wider: |curvature| h < 1
   double path_stiffness_1_s2 = 2.25;    // T1 of psi'' + T2 psi' + T1 psi = 0
   double path_damping_1_s = 3;          // T2
@@ -54,7 +59,7 @@ class PositionTrajectory : public Regulator {
  public:
   // `period_s` is the time between two calls.
   PositionTrajectory(const PositionTrajectoryConfig& config, const CartConfig& vehicle,
-                     const MotionLimits& limits, double period_s = 0.01)
+                     const MotionLimits& limits, double period_s)
       : config_(config),
         limits_(limits),
         period_s_(period_s),
@@ -64,6 +69,8 @@ class PositionTrajectory : public Regulator {
 
   void reset(const VehicleState& state) override;
   Command regulate(const Setpoint& setpoint, const VehicleState& state) override;
+  StoppingLaw stopping_law() const override;
+  VelocityResponse velocity_response() const override;
 
  private:
   // The cart as the law sees it.

@@ -15,7 +15,7 @@ class ModelConformance : public ::testing::TestWithParam<std::string> {
  protected:
   static constexpr double kPeriod_s = 0.01;
 
-  std::unique_ptr<Model> model_ = make_model(vehicle(GetParam()).model);
+  std::unique_ptr<Model> model_ = make_model(find_vehicle(GetParam()).model);
 
   // A state in motion, reached by pushing unevenly on what holds the vehicle.
   VehicleState moving() const {
@@ -87,7 +87,7 @@ TEST_P(ModelConformance, MovesAlikeWhereverItIsAndWhereverItLooks) {
   VehicleState there = displaced(here, offset, turn);
   Command command = uneven();
   Command turned = command;
-  if (std::holds_alternative<IdealConfig>(vehicle(GetParam()).model)) {
+  if (std::holds_alternative<IdealConfig>(find_vehicle(GetParam()).model)) {
     const Vec3 a = turn * Vec3(command.u[0], command.u[1], command.u[2]);
     turned.u = {a.x(), a.y(), a.z(), command.u[3]};  // this model's command is in world axes
   }

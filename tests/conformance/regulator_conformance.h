@@ -32,8 +32,8 @@ class RegulatorConformance : public ::testing::TestWithParam<RegulatorPair> {
 
   static constexpr double kPeriod_s = 0.01;
 
-  VehicleSpec spec_ = vehicle(GetParam().vehicle);
-  RegulatorConfig config_ = regulator(GetParam().regulator);
+  VehicleSpec spec_ = find_vehicle(GetParam().vehicle);
+  RegulatorConfig config_ = find_regulator(GetParam().regulator);
   std::unique_ptr<Model> model_ = make_model(spec_.model);
   std::unique_ptr<Regulator> regulator_ = make_regulator(config_, spec_, kPeriod_s);
 

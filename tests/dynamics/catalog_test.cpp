@@ -12,7 +12,10 @@ namespace voronaut::testing {
 namespace {
 
 using ::testing::AllOf;
+using ::testing::ElementsAre;
 using ::testing::HasSubstr;
+
+constexpr double kPeriod_s = 0.01;
 
 std::string message_of(const auto& call) {
   try {
@@ -25,53 +28,71 @@ std::string message_of(const auto& call) {
 
 TEST(Catalog, MakesEveryVehicleWithItsRegulator) {
   for (const std::string& name : vehicle_names()) {
-    const VehicleSpec spec = vehicle(name);
+    const VehicleSpec spec = find_vehicle(name);
     EXPECT_EQ(spec.name, name);
     EXPECT_GT(spec.clearance_min_m, spec.body_radius_m);
     EXPECT_NE(make_model(spec.model), nullptr);
-    EXPECT_NE(make_regulator(regulator(spec.regulator), spec), nullptr);
-    EXPECT_GT(stopping_law(regulator(spec.regulator), spec).a_m_s2, 0);
+    EXPECT_NE(make_regulator(find_regulator(spec.regulator), spec, kPeriod_s), nullptr);
+    EXPECT_GT(stopping_law(find_regulator(spec.regulator), spec).a_m_s2, 0);
   }
 }
 
 TEST(Catalog, KnowsTheBodies) {
-  EXPECT_EQ(vehicle("quadrotor").body_radius_m, 0.25);
-  EXPECT_EQ(vehicle("quadrotor").clearance_min_m, 0.40);
-  EXPECT_EQ(vehicle("quadrotor").limits.max_speed_m_s, 2.5);
-  EXPECT_EQ(vehicle("quadrotor_props").body_radius_m, 0.39);
-  EXPECT_EQ(vehicle("quadrotor_props").clearance_min_m, 0.5);
-  EXPECT_EQ(vehicle("ideal").body_radius_m, 0.25);
-  EXPECT_EQ(vehicle("cart").body_radius_m, 0.22);
-  EXPECT_EQ(vehicle("cart").limits.max_speed_m_s, 1.25);
+  EXPECT_EQ(find_vehicle("quadrotor").body_radius_m, 0.25);
+  EXPECT_EQ(find_vehicle("quadrotor").clearance_min_m, 0.40);
+  EXPECT_EQ(find_vehicle("quadrotor").limits.max_speed_m_s, 2.5);
+  EXPECT_EQ(find_vehicle("quadrotor_props").body_radius_m, 0.39);
+  EXPECT_EQ(find_vehicle("quadrotor_props").clearance_min_m, 0.5);
+  EXPECT_EQ(find_vehicle("ideal").body_radius_m, 0.25);
+  EXPECT_EQ(find_vehicle("cart").body_radius_m, 0.22);
+  EXPECT_EQ(find_vehicle("cart").limits.max_speed_m_s, 1.25);
 }
 
-TEST(Catalog, KnowsWhatRolls) {
-  for (const std::string& name : vehicle_names())
-    EXPECT_EQ(is_wheeled(vehicle(name)), name == "cart") << name;
+TEST(Catalog, TellsWhatACartCannotDo) {
+  for (const std::string& name : vehicle_names()) {
+    const Mobility mobility = mobility_of(find_vehicle(name));
+    EXPECT_EQ(mobility.flies, name != "cart") << name;
+    EXPECT_EQ(mobility.moves_sideways, name != "cart") << name;
+  }
+}
+
+TEST(Catalog, NamesEveryEntryOnceInAlphabeticalOrder) {
+  EXPECT_THAT(vehicle_names(), ElementsAre("cart", "ideal", "quadrotor", "quadrotor_props"));
+  EXPECT_THAT(regulator_names(),
+              ElementsAre("ideal", "paper_literal", "pd_rate", "position_trajectory"));
 }
 
 TEST(Catalog, ListsTheKnownNamesWhenOneIsUnknown) {
-  EXPECT_THAT(message_of([] { vehicle("quadcopter"); }),
+  EXPECT_THAT(message_of([] { find_vehicle("quadcopter"); }),
               AllOf(HasSubstr("unknown vehicle 'quadcopter'"), HasSubstr("quadrotor_props")));
-  EXPECT_THAT(message_of([] { regulator("pid"); }),
+  EXPECT_THAT(message_of([] { find_regulator("pid"); }),
               AllOf(HasSubstr("unknown regulator 'pid'"), HasSubstr("pd_rate")));
 }
 
 TEST(Catalog, RefusesARegulatorThatDrivesAnotherModel) {
-  EXPECT_THAT(message_of([] { make_regulator(regulator("pd_rate"), vehicle("ideal")); }),
-              AllOf(HasSubstr("'pd_rate'"), HasSubstr("'ideal'")));
-  EXPECT_THAT(message_of([] { make_regulator(regulator("ideal"), vehicle("quadrotor")); }),
+  EXPECT_THAT(message_of([] {
+                make_regulator(find_regulator("pd_rate"), find_vehicle("ideal"), kPeriod_s);
+              }),
+              "regulator 'pd_rate' drives the model quadrotor, which vehicle 'ideal' is not");
+  EXPECT_THAT(message_of([] {
+                make_regulator(find_regulator("ideal"), find_vehicle("quadrotor"), kPeriod_s);
+              }),
               AllOf(HasSubstr("'ideal'"), HasSubstr("'quadrotor'")));
-  EXPECT_THROW(make_regulator(regulator("paper_literal"), vehicle("ideal")), std::invalid_argument);
-  EXPECT_THAT(message_of([] { make_regulator(regulator("pd_rate"), vehicle("cart")); }),
+  EXPECT_THROW(make_regulator(find_regulator("paper_literal"), find_vehicle("ideal"), kPeriod_s),
+               std::invalid_argument);
+  EXPECT_THAT(message_of([] {
+                make_regulator(find_regulator("pd_rate"), find_vehicle("cart"), kPeriod_s);
+              }),
               AllOf(HasSubstr("'pd_rate'"), HasSubstr("'cart'")));
-  EXPECT_THAT(
-      message_of([] { make_regulator(regulator("position_trajectory"), vehicle("ideal")); }),
-      AllOf(HasSubstr("'position_trajectory'"), HasSubstr("'ideal'")));
+  EXPECT_THAT(message_of([] {
+                make_regulator(find_regulator("position_trajectory"), find_vehicle("ideal"),
+                               kPeriod_s);
+              }),
+              AllOf(HasSubstr("'position_trajectory'"), HasSubstr("'ideal'")));
 }
 
 TEST(Catalog, GivesTheStoppingLawOfTheGainsAndTheTilt) {
-  const StoppingLaw law = stopping_law(regulator("pd_rate"), vehicle("quadrotor"));
+  const StoppingLaw law = stopping_law(find_regulator("pd_rate"), find_vehicle("quadrotor"));
   EXPECT_NEAR(law.k_1_s, 1.786, 1e-3);
   EXPECT_NEAR(law.a_m_s2, 3.5706, 1e-4);
 }
@@ -105,7 +126,7 @@ struct DefaultsAreInBounds {
 
 TEST(Catalog, HasDefaultsWithinTheBoundsOfEveryConfig) {
   for (const std::string& name : vehicle_names()) {
-    VehicleSpec spec = vehicle(name);
+    VehicleSpec spec = find_vehicle(name);
     DefaultsAreInBounds body;
     spec.visit(body);
     EXPECT_EQ(body.keys.count("max_speed_m_s"), 1);
@@ -114,7 +135,7 @@ TEST(Catalog, HasDefaultsWithinTheBoundsOfEveryConfig) {
     EXPECT_FALSE(model.keys.empty());
   }
   for (const std::string& name : regulator_names()) {
-    RegulatorConfig any = regulator(name);
+    RegulatorConfig any = find_regulator(name);
     DefaultsAreInBounds keys;
     std::visit([&](auto& config) { config.visit(keys); }, any);
     EXPECT_EQ(keys.keys.count("speed_profile"), 1);

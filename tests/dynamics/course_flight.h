@@ -18,12 +18,12 @@ class CourseFlight {
       : spec_(std::move(spec)),
         config_(config),
         model_(make_model(spec_.model)),
-        response_(velocity_response(config, spec_)),
+        response_(velocity_response(config, spec_, kPeriod_s)),
         random_(seed) {}
 
   // Begins anew, at rest.
   void begin() {
-    regulator_ = make_regulator(config_, spec_);
+    regulator_ = make_regulator(config_, spec_, kPeriod_s);
     state_ = model_->at_rest({0, 0, 1}, {1, 0});
     regulator_->reset(state_);
     pending_ = model_->hold();
@@ -73,7 +73,7 @@ class CourseFlight {
 };
 
 inline VehicleSpec quadrotor_with_printed_inertia() {
-  VehicleSpec spec = vehicle("quadrotor");
+  VehicleSpec spec = find_vehicle("quadrotor");
   std::get<QuadrotorConfig>(spec.model).inertia = QuadrotorConfig::InertiaSet::printed;
   return spec;
 }

@@ -75,32 +75,35 @@ double largest_share(CourseFlight flight, int stops) {
 }
 
 TEST(VelocityResponse, PredictsTheStopsOfTheIdealVehicleWithinItsError) {
-  const double share = largest_share({vehicle("ideal"), regulator("ideal"), 1}, 3000);
+  const double share = largest_share({find_vehicle("ideal"), find_regulator("ideal"), 1}, 3000);
   RecordProperty("share", std::to_string(share));
   EXPECT_LE(share, 1);
 }
 
 TEST(VelocityResponse, PredictsTheStopsOfTheQuadrotorWithinItsError) {
-  const double share = largest_share({vehicle("quadrotor"), regulator("pd_rate"), 2}, 3000);
+  const double share =
+      largest_share({find_vehicle("quadrotor"), find_regulator("pd_rate"), 2}, 3000);
   RecordProperty("share", std::to_string(share));
   EXPECT_LE(share, 1);
 }
 
 TEST(VelocityResponse, PredictsTheStopsOfThePrintedInertiaWithinItsError) {
-  const double share =
-      largest_share({testing::quadrotor_with_printed_inertia(), regulator("pd_rate"), 3}, 3000);
+  const double share = largest_share(
+      {testing::quadrotor_with_printed_inertia(), find_regulator("pd_rate"), 3}, 3000);
   RecordProperty("share", std::to_string(share));
   EXPECT_LE(share, 1);
 }
 
 TEST(VelocityResponse, PromisesNoStopForTheUnstableLiteralLaw) {
-  EXPECT_THROW(velocity_response(regulator("paper_literal"), vehicle("quadrotor")),
-               std::invalid_argument);
+  EXPECT_THROW(
+      velocity_response(find_regulator("paper_literal"), find_vehicle("quadrotor"), kPeriod_s),
+      std::invalid_argument);
 }
 
 TEST(VelocityResponse, PromisesNoStopForAVehicleThatCannotMoveSideways) {
-  EXPECT_THROW(velocity_response(regulator("position_trajectory"), vehicle("cart")),
-               std::invalid_argument);
+  EXPECT_THROW(
+      velocity_response(find_regulator("position_trajectory"), find_vehicle("cart"), kPeriod_s),
+      std::invalid_argument);
 }
 
 }  // namespace

@@ -32,9 +32,9 @@ TrialSpec trial(const Scenario& scenario, const std::string& vehicle_name,
                 const std::string& planner, std::map<std::string, std::string> params = {}) {
   TrialSpec spec;
   spec.scenario = scenario;
-  spec.vehicle = vehicle(vehicle_name);
+  spec.vehicle = find_vehicle(vehicle_name);
   spec.regulator_name = spec.vehicle.regulator;
-  spec.regulator = regulator(spec.regulator_name);
+  spec.regulator = find_regulator(spec.regulator_name);
   spec.planner = {planner, planner, std::move(params)};
   spec.shortest_length_m = scenario.goal_world.norm();
   return spec;

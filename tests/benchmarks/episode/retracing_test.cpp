@@ -23,9 +23,9 @@ TrialSpec beside_a_box(const Vec2& goal) {
   spec.scenario.world =
       std::make_shared<World>(Bounds{Vec2(-4, -6), Vec2(12, 6)}, Shapes{{}, walls, {}});
   spec.scenario.goal_world = goal;
-  spec.vehicle = vehicle("ideal");
+  spec.vehicle = find_vehicle("ideal");
   spec.regulator_name = spec.vehicle.regulator;
-  spec.regulator = regulator(spec.regulator_name);
+  spec.regulator = find_regulator(spec.regulator_name);
   spec.planner = {"VoronoiRoadmap", "VoronoiRoadmap", {}};
   spec.navigation.recovery = true;
   spec.shortest_length_m = 10;

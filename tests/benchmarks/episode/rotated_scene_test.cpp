@@ -18,9 +18,9 @@ RunRecord flown(double bearing_rad, std::uint64_t seed) {
       "{name: paper_scene, bearing_rad: " + number_text(bearing_rad) + "}", "scene");
   TrialSpec spec;
   spec.scenario = ScenarioSpec::generated({}, WorldGenerator::read(source)).instantiate(seed);
-  spec.vehicle = vehicle("ideal");
+  spec.vehicle = find_vehicle("ideal");
   spec.regulator_name = spec.vehicle.regulator;
-  spec.regulator = regulator(spec.regulator_name);
+  spec.regulator = find_regulator(spec.regulator_name);
   spec.planner = {"repaired", "ReactiveVoronoi", {{"preset", "repaired"}}};
   spec.shortest_length_m = 14.2;
   return run_trial(spec, PlannerCatalog::built_in(), false).record;

@@ -283,8 +283,8 @@ TEST(SuiteConfig, AsksACartOnlyForWhatItCanDo) {
       "navigation.gaze 'fixed' is not for vehicle 'trolley', which looks where it drives (allowed: "
       "path)";
   const std::string governor =
-      "the governor proves no stop for vehicle 'trolley', which cannot move sideways (allowed: "
-      "false)";
+      "no governor for vehicle 'trolley': regulator 'position_trajectory' promises no stop along a "
+      "course in any direction: what it drives cannot move sideways (allowed: false)";
   const std::string own = "[RRTConnect, {name: RRTConnect, label: b, navigation: {";
   EXPECT_EQ(error_of(with_cart("[RRTConnect]", "navigation: {gaze: path}")), "no error");
   EXPECT_EQ(error_of(with_cart("[RRTConnect]", "kind: static")), "no error") << "nobody moves";
@@ -297,6 +297,14 @@ TEST(SuiteConfig, AsksACartOnlyForWhatItCanDo) {
             "s.yaml:4: key 'planners[1].navigation.governor': " + governor);
   EXPECT_EQ(error_of(with_cart(own + "gaze: fixed}}]", "navigation: {gaze: path}")),
             "s.yaml:4: key 'planners[1].navigation.gaze': " + gaze);
+}
+
+TEST(SuiteConfig, AsksNoGovernorToTrustALawThatDoesNotStop) {
+  EXPECT_EQ(error_of("suite: s\nscenarios: [{name: a, generator: {name: forest}}]\n"
+                     "vehicles: [{name: quadrotor, regulator: paper_literal}]\n"
+                     "planners: [RRTConnect]\nnavigation: {governor: true}\n"),
+            "s.yaml:5: key 'navigation.governor': no governor for vehicle 'quadrotor': regulator "
+            "'paper_literal' promises no stop: it is unstable (allowed: false)");
 }
 
 TEST(SuiteConfig, KeepsThePlannersThatWereAskedForAndNamesTheOthers) {

@@ -44,7 +44,7 @@ TEST(SuiteTrials, GiveEveryPlannerTheSameWorldAndItsOwnSeed) {
 TEST(SuiteTrials, LeaveACartOnTheGround) {
   SuiteConfig suite = small_suite("s", {"a"});
   VehicleEntry cart = suite.vehicles.front();
-  cart.vehicle = vehicle("cart");
+  cart.vehicle = find_vehicle("cart");
   suite.vehicles.push_back(cart);
   for (const TrialSpec& trial : all_trials(suite)) {
     EXPECT_EQ(trial.scenario.cruise_height_m, trial.vehicle.name == "cart" ? 0 : 1);

@@ -34,8 +34,15 @@ TEST(Ideal, TurnsLevelAtNoMoreThanItsYawRate) {
   EXPECT_EQ(cos_tilt(end), 1);
 }
 
+TEST(IdealRegulator, CountsOnNoHarderAStopThanItsBodyAndItsLimitsAllow) {
+  const IdealConfig weak{.max_acceleration_m_s2 = 2};
+  const MotionLimits strong{.max_acceleration_m_s2 = 3}, cautious{.max_acceleration_m_s2 = 1};
+  EXPECT_EQ(IdealRegulator({}, weak, strong, kPeriod_s).stopping_law().a_m_s2, 2);
+  EXPECT_EQ(IdealRegulator({}, weak, cautious, kPeriod_s).velocity_response().a_max_m_s2, 1);
+}
+
 TEST(IdealRegulator, GivesHeightItsAccelerationFirst) {
-  IdealRegulator regulator({}, {.max_acceleration_m_s2 = 3});
+  IdealRegulator regulator({}, {}, {.max_acceleration_m_s2 = 3}, kPeriod_s);
   const VehicleState rest = Ideal().at_rest({0, 0, 1}, {1, 0});
   const auto flat = regulator.regulate({{9, 0, 1}, 2.5, false, {1, 0}, 0}, rest).u;
   EXPECT_DOUBLE_EQ(flat[0], 3);

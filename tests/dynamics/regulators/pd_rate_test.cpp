@@ -20,6 +20,8 @@ class Mirrored : public Regulator {
     std::swap(command.u[1], command.u[3]);
     return command;
   }
+  StoppingLaw stopping_law() const override { return inner_.stopping_law(); }
+  VelocityResponse velocity_response() const override { return inner_.velocity_response(); }
 
  private:
   Regulator& inner_;
@@ -31,7 +33,7 @@ TEST(PdRate, FlipsWithinHalfASecondInTheMirrorImageOfTheFrame) {
   const auto guide = [](double, const VehicleState&) {
     return Setpoint{{10, 10, 1}, 2.5, true, {0, 1}, 0};
   };
-  PdRate right({}, vehicle, tilt_limited(20));
+  PdRate right({}, vehicle, tilt_limited(20), kPeriod_s);
   Mirrored mirrored(right);
   const VehicleState start = model.at_rest({0, 0, 1}, {0, 1});
   EXPECT_EQ(flip_time_s(fly(model, right, start, 12, guide)), -1);
@@ -44,7 +46,7 @@ TEST(PdRate, RaisesTheRotorsThatThePapersPairsName) {
   // Body x along the paper's X, which is W's y: the pair 1-3 answers for y, the pair 2-4 for x.
   const QuadrotorConfig vehicle;
   const Quadrotor model(vehicle);
-  PdRate regulator({}, vehicle, tilt_limited(20));
+  PdRate regulator({}, vehicle, tilt_limited(20), kPeriod_s);
   const VehicleState rest = model.at_rest({0, 0, 1}, {0, 1});
   const auto command_towards = [&](double x, double y) {
     regulator.reset(rest);
@@ -61,7 +63,7 @@ TEST(PdRate, RaisesTheRotorsThatThePapersPairsName) {
 TEST(PdRate, TurnsWithNoMoreThanItsShareOfTheRotorSpeed) {
   const QuadrotorConfig vehicle;
   const Quadrotor model(vehicle);
-  PdRate regulator({}, vehicle, tilt_limited(20));
+  PdRate regulator({}, vehicle, tilt_limited(20), kPeriod_s);
   const VehicleState rest = model.at_rest({0, 0, 1}, {1, 0});
   regulator.reset(rest);
   const auto u = regulator.regulate({{0, 0, 1}, 1, true, {-1, 0}, 0}, rest).u;
@@ -73,7 +75,7 @@ TEST(PdRate, RecoversFromALargeRollAtRest) {
   const QuadrotorConfig vehicle;
   const Quadrotor model(vehicle);
   for (const double roll_deg : {30.0, 90.0, 135.0, 165.0}) {
-    PdRate regulator({}, vehicle, tilt_limited(20));
+    PdRate regulator({}, vehicle, tilt_limited(20), kPeriod_s);
     VehicleState start = model.at_rest({0, 0, 1}, {1, 0});
     start.q_world_body = Eigen::Quaterniond(Eigen::AngleAxisd(roll_deg * kDegree, Vec3::UnitX()));
     const auto states = fly(model, regulator, start, 8, [](double, const VehicleState&) {

@@ -46,10 +46,10 @@ Setpoint rest_at(const Vector2d& p, double speed_m_s) {
 
 std::vector<VehicleState> drive(const VehicleState& start, double duration_s, const Guide& guide,
                                 double max_speed_m_s = 1.25) {
-  VehicleSpec spec = vehicle("cart");
+  VehicleSpec spec = find_vehicle("cart");
   spec.limits.max_speed_m_s = max_speed_m_s;
   const Cart model;
-  PositionTrajectory regulator({}, CartConfig{}, spec.limits);
+  PositionTrajectory regulator({}, CartConfig{}, spec.limits, kPeriod_s);
   return fly(model, regulator, start, duration_s, guide);
 }
 
@@ -114,7 +114,7 @@ TEST(PositionTrajectory, ObeysItsReferenceErrorDynamics) {
   start.w_body.z() = -v * std::sin(delta) / kAhead_m;
   const CartConfig config;
   const Cart model(config);
-  PositionTrajectory regulator({}, config, vehicle("cart").limits);
+  PositionTrajectory regulator({}, config, find_vehicle("cart").limits, kPeriod_s);
   regulator.reset(start);
   const Setpoint setpoint = follow(line({0, 0}, {50, 0}), v);
   VehicleState s = start;
@@ -145,7 +145,7 @@ TEST(PositionTrajectory, HoldsItsSpeedAroundAnArcWhileItIsStillOffIt) {
   start.v_world.y() = v;
   const CartConfig config;
   const Cart model(config);
-  PositionTrajectory regulator({}, config, vehicle("cart").limits);
+  PositionTrajectory regulator({}, config, find_vehicle("cart").limits, kPeriod_s);
   regulator.reset(start);
   const Setpoint setpoint = follow(circle(radius_m, true), v);
   VehicleState s = start;
@@ -243,8 +243,8 @@ TEST(PositionTrajectory, DrivesThePapersMissionAtThePapersMeanSpeed) {
 }
 
 TEST(PositionTrajectory, StopsWithinItsStoppingLaw) {
-  const VehicleSpec spec = vehicle("cart");
-  const StoppingLaw law = stopping_law(regulator("position_trajectory"), spec);
+  const VehicleSpec spec = find_vehicle("cart");
+  const StoppingLaw law = stopping_law(find_regulator("position_trajectory"), spec);
   for (const double v : {0.5, 0.8, 1.0, 1.2}) {
     const double told_s = 6;
     const auto states = drive(at_rest({0, 0}, {1, 0}), 12, [&](double t, const VehicleState&) {
@@ -263,12 +263,13 @@ TEST(PositionTrajectory, StopsWithinItsStoppingLaw) {
 TEST(PositionTrajectory, ScalesBothVoltagesTogether) {
   CartConfig weak;
   weak.max_voltage_V = 4;
-  const MotionLimits limits = vehicle("cart").limits;
+  const MotionLimits limits = find_vehicle("cart").limits;
   VehicleState s = at_rest({0, 0}, {1, 0});
   s.v_world.x() = 0.7;
   const Setpoint setpoint = follow(line({0, 1}, {50, 1}), 1);
-  const Command strong = PositionTrajectory({}, CartConfig{}, limits).regulate(setpoint, s);
-  const Command scaled = PositionTrajectory({}, weak, limits).regulate(setpoint, s);
+  const Command strong =
+      PositionTrajectory({}, CartConfig{}, limits, kPeriod_s).regulate(setpoint, s);
+  const Command scaled = PositionTrajectory({}, weak, limits, kPeriod_s).regulate(setpoint, s);
   ASSERT_GT(strong.u[0], 4);
   EXPECT_EQ(scaled.u[0], 4);
   EXPECT_NEAR(scaled.u[1], 4 * strong.u[1] / strong.u[0], 1e-14);

@@ -48,6 +48,17 @@ TEST(RosMap, TakesPixelsForOccupiedFreeOrUnknown) {
   EXPECT_EQ(seen(ros_map_cells(map, image, UnknownCells::free)), ".###.#");
 }
 
+// As map_server: from the threshold on, not above it. 192 of 256 is three quarters to the bit.
+TEST(RosMap, TakesAPixelAtAThresholdForOccupiedOrFree) {
+  RosMapDescription map;
+  map.occupied_thresh = 0.75;
+  map.free_thresh = 0.25;
+  map.negate = true;
+  const GreyImage image = parse_pgm("P2\n4 1\n256\n192 191 64 65\n", "m.pgm");
+  EXPECT_EQ(seen(ros_map_cells(map, image, UnknownCells::free)), "#...");
+  EXPECT_EQ(seen(ros_map_cells(map, image, UnknownCells::blocked)), "##.#");
+}
+
 TEST(RosMap, MayHaveKeysOfItsOwnAndAFlagForNegate) {
   const std::string rest =
       "image: m.pgm\nresolution: 1\norigin: [0, 0, 0]\noccupied_thresh: 0.6\nfree_thresh: 0.2\n"

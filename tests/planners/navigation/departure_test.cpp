@@ -1,6 +1,7 @@
 #include "voronaut/planners/navigation/departure.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include <gtest/gtest.h>
 
@@ -15,6 +16,14 @@ constexpr double kHold_s = 0.1;
 
 Vec2 random_course(CourseFlight& flight) {
   return flight.uniform(0, kDepartureSpeed_m_s) * flight.direction();
+}
+
+// A straight track of 0.2 m that leads away from the place by this share of its length.
+bool leads_away_at(double share) {
+  const Vec2 place(-0.3, 0);
+  const Vec2 along(share, std::sqrt(1 - share * share));
+  return leads_away(0.3 * along, std::vector<Vec2>{Vec2(0, 0), 0.2 * along},
+                    std::vector<Vec2>{place});
 }
 
 // How much closer to the place it comes, at worst, holding the course and then braking [m].
@@ -54,15 +63,30 @@ double worst_approach_m(CourseFlight flight, int departures) {
 }
 
 TEST(Departure, BringsNoVehicleCloserThanACentimetreToWhatItLeaves) {
-  const double ideal_m = worst_approach_m({vehicle("ideal"), regulator("ideal"), 1}, 3000);
+  const double ideal_m =
+      worst_approach_m({find_vehicle("ideal"), find_regulator("ideal"), 1}, 3000);
   const double quadrotor_m =
-      worst_approach_m({vehicle("quadrotor"), regulator("pd_rate"), 2}, 3000);
-  const double printed_m =
-      worst_approach_m({testing::quadrotor_with_printed_inertia(), regulator("pd_rate"), 3}, 3000);
+      worst_approach_m({find_vehicle("quadrotor"), find_regulator("pd_rate"), 2}, 3000);
+  const double printed_m = worst_approach_m(
+      {testing::quadrotor_with_printed_inertia(), find_regulator("pd_rate"), 3}, 3000);
   RecordProperty("ideal_m", std::to_string(ideal_m));
   RecordProperty("quadrotor_m", std::to_string(quadrotor_m));
   RecordProperty("printed_m", std::to_string(printed_m));
   EXPECT_LE(std::max({ideal_m, quadrotor_m, printed_m}), 0.01);
+}
+
+// A share of three tenths is what the flights above were tried with.
+TEST(Departure, LeadsAwayOnlyWithThreeTenthsOfEveryStep) {
+  EXPECT_FALSE(leads_away_at(0.29));
+  EXPECT_TRUE(leads_away_at(0.31));
+  // Each corner of the track counts: here the last one has come back too far.
+  const std::vector<Vec2> place{Vec2(-0.3, 0)};
+  const auto turning_at = [&](double away_m) {
+    const std::vector<Vec2> track{Vec2(0, 0), Vec2(0.1, 0), Vec2(away_m, 0.2)};
+    return leads_away(Vec2(0.3, 0), track, place);
+  };
+  EXPECT_TRUE(turning_at(0.07));
+  EXPECT_FALSE(turning_at(0.05));
 }
 
 TEST(Departure, LeadsAwayOnlyFromWhatLiesBehind) {

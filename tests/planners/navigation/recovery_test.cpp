@@ -82,6 +82,22 @@ TEST(RecoveryPolicy, StartsAnewOnceItHasGotAway) {
   EXPECT_EQ(next_action(policy, now_s, stalled), RecoveryAction::look_around);
 }
 
+// Half a metre from the place is away from it.
+TEST(RecoveryPolicy, GoesOnWithItsStepsAsLongAsItIsStillNearThePlace) {
+  const auto second_step_at = [](double moved_m) {
+    RecoveryPolicy policy(kTimeout_s);
+    double now_s = 0;
+    Headway stalled;
+    stalled.wants_to_move = true;
+    stalled.too_close = true;
+    EXPECT_EQ(next_action(policy, now_s, stalled), RecoveryAction::back_off);
+    stalled.p_world = Vec2(moved_m, 0);
+    return next_action(policy, now_s, stalled);
+  };
+  EXPECT_EQ(second_step_at(0.45), RecoveryAction::look_around);
+  EXPECT_EQ(second_step_at(0.55), RecoveryAction::back_off);
+}
+
 TEST(RecoveryPolicy, DropsVirtualObstaclesWhenPlanningFailsWithThemButNotForEver) {
   RecoveryPolicy policy(kTimeout_s);
   double now_s = 0;

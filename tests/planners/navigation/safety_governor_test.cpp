@@ -46,14 +46,14 @@ struct Dash {
 
   // Smallest clearance of the centre to the true surface over the flight.
   double clearance_min_m() const {
-    VehicleSpec spec = vehicle(vehicle_name);
-    const RegulatorConfig regulator_config = regulator(spec.regulator);
-    SafetyGovernor governor(velocity_response(regulator_config, spec), kBodyRadius_m, kClearance_m,
-                            kStepsPerScan * kPeriod_s);
+    VehicleSpec spec = find_vehicle(vehicle_name);
+    const RegulatorConfig regulator_config = find_regulator(spec.regulator);
+    SafetyGovernor governor(velocity_response(regulator_config, spec, kPeriod_s), kBodyRadius_m,
+                            kClearance_m, kStepsPerScan * kPeriod_s);
     spec.limits.max_acceleration_m_s2 *= braking;
     spec.limits.max_tilt_rad *= braking;
     const auto model = make_model(spec.model);
-    const auto pilot = make_regulator(regulator_config, spec);
+    const auto pilot = make_regulator(regulator_config, spec, kPeriod_s);
     const RangeFinder finder{RangeFinderConfig{}};
     Random random(1);
     ObstacleBase base({});
@@ -126,9 +126,9 @@ TEST(SafetyGovernor, StopsACarelessPilotBeforeTheWall) {
 }
 
 TEST(SafetyGovernor, LetsFullSpeedPassWhereNothingIsInTheWay) {
-  const VehicleSpec spec = vehicle("quadrotor");
-  SafetyGovernor governor(velocity_response(regulator("pd_rate"), spec), kBodyRadius_m,
-                          kClearance_m, 0.05);
+  const VehicleSpec spec = find_vehicle("quadrotor");
+  SafetyGovernor governor(velocity_response(find_regulator("pd_rate"), spec, kPeriod_s),
+                          kBodyRadius_m, kClearance_m, 0.05);
   FreeSpace free(kBounds);
   free.mark_disc(Vec2(0, 0), 3);
   const VehicleState state = make_model(spec.model)->at_rest({0, 0, 1}, {1, 0});
@@ -137,11 +137,12 @@ TEST(SafetyGovernor, LetsFullSpeedPassWhereNothingIsInTheWay) {
 }
 
 TEST(SafetyGovernor, NamesThePlaceThatNobodyKnows) {
-  SafetyGovernor governor(velocity_response(regulator("ideal"), vehicle("ideal")), kBodyRadius_m,
-                          kClearance_m, 0.05);
+  SafetyGovernor governor(
+      velocity_response(find_regulator("ideal"), find_vehicle("ideal"), kPeriod_s), kBodyRadius_m,
+      kClearance_m, 0.05);
   FreeSpace free(kBounds);
   free.mark_disc(Vec2(0, 0), 0.3);
-  const VehicleState state = make_model(vehicle("ideal").model)->at_rest({0, 0, 1}, {1, 0});
+  const VehicleState state = make_model(find_vehicle("ideal").model)->at_rest({0, 0, 1}, {1, 0});
   const GovernedCourse course = governor.allow(Vec2(2.5, 0), state, free, {});
   EXPECT_LT(course.share, 1);
   ASSERT_TRUE(course.refused_at);
@@ -151,9 +152,9 @@ TEST(SafetyGovernor, NamesThePlaceThatNobodyKnows) {
 
 TEST(SafetyGovernor, LetsAVehicleLeaveAWallThatItStandsTooCloseTo) {
   for (const char* name : {"ideal", "quadrotor"}) {
-    const VehicleSpec spec = vehicle(name);
-    SafetyGovernor governor(velocity_response(regulator(spec.regulator), spec), kBodyRadius_m,
-                            kClearance_m, 0.05);
+    const VehicleSpec spec = find_vehicle(name);
+    SafetyGovernor governor(velocity_response(find_regulator(spec.regulator), spec, kPeriod_s),
+                            kBodyRadius_m, kClearance_m, 0.05);
     FreeSpace free(kBounds);
     free.mark_disc(Vec2(-1, 0), 1.2);  // the body's own disc is not wholly known free
     const VehicleState state = make_model(spec.model)->at_rest({0, 0, 1}, {1, 0});
@@ -163,14 +164,114 @@ TEST(SafetyGovernor, LetsAVehicleLeaveAWallThatItStandsTooCloseTo) {
   }
 }
 
+// The strip |y| < half_width_m, known to be free.
+FreeSpace strip(double from_m, double to_m, double half_width_m) {
+  FreeSpace free(kBounds);
+  for (double x = from_m + half_width_m; x < to_m - half_width_m; x += 0.02)
+    free.mark_disc(Vec2(x, 0), half_width_m);
+  free.mark_disc(Vec2(to_m - half_width_m, 0), half_width_m);
+  return free;
+}
+
+// The edges of what is proved. A tube is as wide as the body and all that it may stray.
+TEST(SafetyGovernor, LeavesRoomForAllThatAStopMayStrayFromItsPrediction) {
+  for (const double stray_m : {0.0, 0.1, 0.2, 0.3}) {
+    VelocityResponse response;
+    response.error_at_rest_m = stray_m;
+    const VehicleState state = make_model(IdealConfig{})->at_rest({0, 0, 1}, {1, 0});
+    double narrowest_m = 0.2;
+    for (;; narrowest_m += 0.01) {
+      ASSERT_LT(narrowest_m, 1) << stray_m;
+      SafetyGovernor governor(response, kBodyRadius_m, kClearance_m, 0.05);
+      if (governor.allow(Vec2(1.5, 0), state, strip(-1, 4, narrowest_m), {}).share > 0) break;
+    }
+    EXPECT_GE(narrowest_m, kBodyRadius_m + stray_m);
+    EXPECT_LT(narrowest_m, kBodyRadius_m + stray_m + 0.12) << "not at the edge";
+  }
+}
+
+// Flies towards the end of what is known free for so many periods of the governor, then brakes.
+// What is left between the body and that end where it has come to rest, at the least.
+double room_left_m(const std::string& name, double hold_s, const FreeSpace& free, double end_m,
+                   int periods) {
+  const VehicleSpec spec = find_vehicle(name);
+  const RegulatorConfig law = find_regulator(spec.regulator);
+  SafetyGovernor governor(velocity_response(law, spec, kPeriod_s), kBodyRadius_m, kClearance_m,
+                          hold_s);
+  const auto model = make_model(spec.model);
+  const auto pilot = make_regulator(law, spec, kPeriod_s);
+  VehicleState state = model->at_rest({0, 0, 1}, {1, 0});
+  pilot->reset(state);
+  Command pending = model->hold();
+  Setpoint setpoint;
+  setpoint.p_target_world.z() = 1;
+  const int steps_held = static_cast<int>(hold_s / kPeriod_s + 0.5);
+  double farthest_m = 0;
+  for (int step = 0; step < steps_held * periods + 300; ++step) {
+    if (step >= steps_held * periods) {
+      setpoint.course_m_s = Vec2(0, 0);
+    } else if (step % steps_held == 0) {
+      setpoint.course_m_s = governor.allow(Vec2(2.5, 0), state, free, {}).v_world;
+    }
+    const Command next = pilot->regulate(setpoint, state);
+    state = model->step(state, pending, kPeriod_s);
+    pending = next;
+    farthest_m = std::max(farthest_m, state.p_world.x());
+  }
+  return end_m - kBodyRadius_m - farthest_m;
+}
+
+TEST(SafetyGovernor, StopsShortOfWhatIsUnknownThoughItHoldsEachCourseAsLongAsItMay) {
+  constexpr double kHold_s = 0.2;
+  for (const char* name : {"ideal", "quadrotor"}) {
+    double least_m = 1;
+    for (double end_m = 3; end_m < 3.3; end_m += 0.02) {
+      const FreeSpace free = strip(-1, end_m, 1);
+      for (int periods = 1; periods < 20; ++periods)
+        least_m = std::min(least_m, room_left_m(name, kHold_s, free, end_m, periods));
+    }
+    EXPECT_GE(least_m, 0) << name;
+    EXPECT_LT(least_m, 0.1) << name << " is not at the edge";
+  }
+}
+
+TEST(SafetyGovernor, LetsNoVehicleLeaveFastWhatItStandsTooCloseTo) {
+  const VehicleSpec spec = find_vehicle("ideal");
+  SafetyGovernor governor(velocity_response(find_regulator("ideal"), spec, kPeriod_s),
+                          kBodyRadius_m, kClearance_m, 0.05);
+  FreeSpace free(kBounds);
+  free.mark_disc(Vec2(-1, 0), 1.2);
+  const VehicleState state = make_model(spec.model)->at_rest({0, 0, 1}, {1, 0});
+  const GovernedCourse course = governor.allow(Vec2(-2.5, 0), state, free, {});
+  EXPECT_GT(course.share, 0);
+  EXPECT_LE(course.v_world.norm(), 0.4);
+}
+
+// At 0.4 m 3 cm less: closer than that planner and governor would wait for each other.
+TEST(SafetyGovernor, KeepsTheClearanceOfPlannersButForItsMargin) {
+  const auto share_beside = [](double aside_m) {
+    SafetyGovernor governor(
+        velocity_response(find_regulator("ideal"), find_vehicle("ideal"), kPeriod_s), kBodyRadius_m,
+        kClearance_m, 0.05);
+    FreeSpace free(kBounds);
+    free.mark_disc(Vec2(0, 0), 4);
+    const auto post = test::base_of({Vec2(1, aside_m)});
+    const VehicleState state = make_model(IdealConfig{})->at_rest({0, 0, 1}, {1, 0});
+    return governor.allow(Vec2(2.5, 0), state, free, post->snapshot()).share;
+  };
+  EXPECT_LT(share_beside(0.365), 1);
+  EXPECT_EQ(share_beside(0.375), 1);
+}
+
 TEST(SafetyGovernor, LetsAVehicleSqueezeThroughWhatIsKnownFreeOnly) {
-  SafetyGovernor governor(velocity_response(regulator("ideal"), vehicle("ideal")), kBodyRadius_m,
-                          kClearance_m, 0.05);
+  SafetyGovernor governor(
+      velocity_response(find_regulator("ideal"), find_vehicle("ideal"), kPeriod_s), kBodyRadius_m,
+      kClearance_m, 0.05);
   FreeSpace free(kBounds);
   free.mark_disc(Vec2(0, 0), 3);
   const auto posts = test::base_of({Vec2(0.1, 0.35), Vec2(0.1, -0.35)});
   const ObstacleSnapshot known = posts->snapshot();
-  const VehicleState state = make_model(vehicle("ideal").model)->at_rest({0, 0, 1}, {1, 0});
+  const VehicleState state = make_model(find_vehicle("ideal").model)->at_rest({0, 0, 1}, {1, 0});
   EXPECT_EQ(governor.allow(Vec2(1, 0), state, free, known).share, 0);
   EXPECT_GT(governor.allow(Vec2(1, 0), state, free, known, true).share, 0);
 }

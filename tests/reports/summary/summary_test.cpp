@@ -96,6 +96,17 @@ TEST(Summary, PairsPlannersOnTheSameScenarioAndRepetition) {
   EXPECT_EQ(p.win_share_a.n, 2);
 }
 
+TEST(Summary, CallsPathsWithinOnePercentATieAndNoOthers) {
+  const auto wins = [](double ratio) {
+    return summarise({trial("a", "paper-1", 0, Outcome::goal_reached, 1.0),
+                      trial("b", "paper-1", 0, Outcome::goal_reached, ratio)})
+        .pairings.front()
+        .wins_a;
+  };
+  EXPECT_EQ(wins(1.0099), 0);
+  EXPECT_EQ(wins(1.0101), 1);
+}
+
 TEST(Summary, OrdersScenarioGroupsAsAReaderWould) {
   std::vector<RunRecord> records;
   for (const char* group :
