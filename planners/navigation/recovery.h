@@ -1,41 +1,28 @@
 #pragma once
 
 #include <optional>
-#include <string_view>
 
 #include "voronaut/environments/shapes/geometry.h"
 
 namespace voronaut {
 
-// What a vehicle is about; logged at every scan.
-enum class ExecutiveState {
-  rising,          // to its cruise height, before it sets off
-  looking_around,  // turning on the spot to see all around
-  under_way,       // following its path
-  backing_off,     // away from what it is too close to
-  retracing,       // back the way it came, out of a pocket
-  without_path,    // the planner has none
-};
-
-std::string_view to_string(ExecutiveState state);
-
-// What recovery sees of the executive, once per scan.
-struct Headway {
+// How the mission gets on, as recovery sees it, once per scan.
+struct MissionProgress {
   double now_s = 0;
   Vec2 p_world = Vec2::Zero();
   double speed_m_s = 0;
-  bool wants_to_move = false;     // there is a path and it is not yet flown
-  bool too_close = false;         // nearer to a known point than planners plan
-  bool hemmed_in = false;         // refused for an unknown place as near as that
-  bool virtual_in_force = false;  // planners see virtual obstacles
+  bool wants_to_move = false;              // there is a path and it is not yet flown
+  bool obstacle_within_clearance = false;  // nearer to a known point than planners plan
+  bool unknown_within_clearance = false;   // refused for an unknown place as near as that
+  bool virtual_in_force = false;           // planners see virtual obstacles
 };
 
 enum class RecoveryAction {
   none,
   back_off,                // away from the nearest known point for a while
   look_around,             // then plan anew
-  squeeze,                 // for a while go closer to known points than planners plan
-  retrace,                 // back the way it came for a while, squeezing, then plan anew
+  reduce_clearance,        // for a while go closer to known points than planners plan
+  retrace,                 // back the way it came for a while, at reduced clearance, then plan anew
   add_virtual_obstacle,    // where the governor refused, then plan anew
   drop_virtual_obstacles,  // planning failed with them: look around, plan anew
 };
@@ -47,13 +34,13 @@ class RecoveryPolicy {
  public:
   explicit RecoveryPolicy(double stall_timeout_s) : stall_timeout_s_(stall_timeout_s) {}
 
-  RecoveryAction advise(const Headway& headway);
+  RecoveryAction advise(const MissionProgress& progress);
 
   // A manoeuvre is over: what stood still for its sake was no stall.
   void resume() { standing_since_s_.reset(); }
 
  private:
-  RecoveryAction next_step(const Headway& headway);
+  RecoveryAction next_step(const MissionProgress& progress);
 
   double stall_timeout_s_;
   std::optional<double> standing_since_s_;

@@ -18,12 +18,12 @@ class CourseFlight {
       : spec_(std::move(spec)),
         config_(config),
         model_(make_model(spec_.model)),
-        response_(velocity_response(config, spec_)),
+        response_(velocity_response(config, spec_, kPeriod_s)),
         random_(seed) {}
 
   // Begins anew, at rest.
   void begin() {
-    regulator_ = make_regulator(config_, spec_);
+    regulator_ = make_regulator(config_, spec_, kPeriod_s);
     state_ = model_->at_rest({0, 0, 1}, {1, 0});
     regulator_->reset(state_);
     pending_ = model_->hold();
@@ -32,8 +32,8 @@ class CourseFlight {
   }
   void step(const Eigen::Vector2d& course_m_s, double yaw_rate_rad_s) {
     Setpoint setpoint;
-    setpoint.p_target_world = {0, 0, 1};
-    setpoint.course_m_s = course_m_s;
+    setpoint.height_m = 1;
+    setpoint.motion = VelocityCommand{course_m_s};
     if (turns_on_) setpoint.heading_world = state_.heading_world();
     setpoint.yaw_rate_rad_s = yaw_rate_rad_s;
     const Command next = regulator_->regulate(setpoint, state_);

@@ -94,13 +94,15 @@ TEST(VelocityResponse, PredictsTheStopsOfThePrintedInertiaWithinItsError) {
 }
 
 TEST(VelocityResponse, PromisesNoStopForTheUnstableLiteralLaw) {
-  EXPECT_THROW(velocity_response(regulator("paper_literal"), vehicle("quadrotor")),
-               std::invalid_argument);
+  EXPECT_THROW(
+      velocity_response(regulator("paper_literal"), vehicle("quadrotor"), testing::kPeriod_s),
+      std::invalid_argument);
 }
 
 TEST(VelocityResponse, PromisesNoStopForAVehicleThatCannotMoveSideways) {
-  EXPECT_THROW(velocity_response(regulator("position_trajectory"), vehicle("cart")),
-               std::invalid_argument);
+  EXPECT_THROW(
+      velocity_response(regulator("position_trajectory"), vehicle("cart"), testing::kPeriod_s),
+      std::invalid_argument);
 }
 
 }  // namespace
