@@ -57,6 +57,8 @@ std::optional<SafetyGovernor> governor_of(const NavigatorConfig& config) {
   const VehicleFacts& vehicle = config.vehicle;
   if (!vehicle.velocity_response)
     throw std::invalid_argument("a governor needs the vehicle's velocity response");
+  if (vehicle.steering != Steering::any_direction)
+    throw std::invalid_argument("a governor is for vehicles that move in any direction");
   return SafetyGovernor(*vehicle.velocity_response, vehicle.body_radius_m, vehicle.clearance_min_m,
                         config.range_finder.period_s);
 }

@@ -37,7 +37,8 @@ namespace voronaut {
 class Navigator {
  public:
   // Throws std::invalid_argument if the catalogue does not have the planner, the planner refuses a
-  // parameter, or a governor is asked for and the vehicle has no velocity response.
+  // parameter, or a governor is asked for a vehicle that has no velocity response or cannot move
+  // sideways.
   Navigator(const NavigatorConfig& config, const PlannerCatalog& planners);
   Navigator(const Navigator&) = delete;  // the problem points into it
   Navigator& operator=(const Navigator&) = delete;

@@ -31,7 +31,7 @@ struct Mission {
 // goal lie within the bounds that are planned in, in any case.
 inline constexpr double kPlanningInset_m = 0.15;
 
-// Paths turn to the vehicle's heading, or not.
+// Where a vehicle can go from where it stands.
 enum class Steering {
   any_direction,  // moves sideways as well as ahead
   along_heading,  // wheels: turns before it drives

@@ -122,6 +122,12 @@ TEST(Navigator, RefusesAGovernorForAVehicleOfWhichNobodySaysHowItStops) {
   EXPECT_THROW(Navigator(config, PlannerCatalog::built_in()), std::invalid_argument);
 }
 
+TEST(Navigator, RefusesAGovernorForAVehicleThatCannotMoveSideways) {
+  NavigatorConfig config = navigator_config(governed());
+  config.vehicle.steering = Steering::along_heading;
+  EXPECT_THROW(Navigator(config, PlannerCatalog::built_in()), std::invalid_argument);
+}
+
 TEST(Navigator, RefusesAPlannerThatNobodyKnows) {
   NavigatorConfig config = navigator_config(reactive());
   config.planner = "Nobody";
