@@ -18,7 +18,7 @@ enum class SpeedRule {
 struct NavigationConfig {
   YawReference yaw_policy = YawReference::fixed;
   SpeedRule speed_rule = SpeedRule::unlimited;
-  bool governor = false;           // let only such courses pass from which a stop is safe
+  bool governor = false;           // let only such commands pass from which a stop is safe
   bool look_around = false;        // turn once around before setting off
   bool recovery = false;           // do something about it when the vehicle stands still
   double stall_timeout_s = 1.5;    // recovery: standing still for so long is a stall

@@ -11,13 +11,6 @@ namespace voronaut {
 
 namespace {
 
-// A vehicle that flies rises before it sets off: it has its height when it is this close and this
-// slow, which its height loop reaches within 3 s (tests/benchmarks/episode/episode_test.cpp).
-constexpr double kHeightReached_m = 0.05;
-constexpr double kHeightReached_m_s = 0.1;
-// Out of a pocket in legs as long as this; after each the planner is asked again.
-constexpr double kRetraceLeg_m = 0.5;
-
 Bounds planning_bounds(const Mission& mission) {
   const Vec2 inset(kPlanningInset_m, kPlanningInset_m);
   const Vec2 low = mission.start_world.cwiseMin(mission.goal_world);

@@ -31,6 +31,11 @@ struct Mission {
 // goal lie within the bounds that are planned in, in any case.
 inline constexpr double kPlanningInset_m = 0.15;
 
+// A vehicle that flies rises before it sets off, or it would leave the ground slanting. It has its
+// height when it is this close and this slow: what is left then is gone before the first corner.
+inline constexpr double kHeightReached_m = 0.05;
+inline constexpr double kHeightReached_m_s = 0.1;
+
 // Where a vehicle can go from where it stands.
 enum class Steering {
   any_direction,  // moves sideways as well as ahead

@@ -3,19 +3,6 @@
 // What to do when the vehicle does not get on: which step is recovery.h's to say.
 namespace voronaut {
 
-namespace {
-
-// Long enough, at that speed, to get out of the clearance of what is too close.
-constexpr double kBackOff_s = 2;
-constexpr double kTurnRound_s = 2;  // what looks where it drives does that before it backs off
-constexpr double kReducedClearance_s = 4;
-// The governor holds a vehicle back if it allows less than this of the speed asked for and the
-// vehicle is as slow as that.
-constexpr double kHeldBackScale = 0.2;
-constexpr double kHeldBack_m_s = 0.3;
-
-}  // namespace
-
 // The known point that is closer to p than planners plan.
 std::optional<Vec2> Navigator::nearest_obstacle_within_clearance(const Vec2& p_world) const {
   const ObstacleSnapshot known = map_.snapshot();

@@ -8,7 +8,6 @@ namespace voronaut {
 
 namespace {
 
-constexpr double kBackOff_m_s = 0.3;
 // A repulsion is at most this many times as strong as the wish to go on.
 constexpr double kRepulsionMax = 2;
 // What is left of a direction and a repulsion that cancel has none.

@@ -27,6 +27,21 @@ enum class RecoveryAction {
   drop_virtual_obstacles,  // planning failed with them: look around, plan anew
 };
 
+// Backing off: 0.6 m, more than the clearance of any vehicle here (0.5 m), at a speed from which
+// the slowest of them stops within 0.2 m.
+inline constexpr double kBackOff_s = 2;
+inline constexpr double kBackOff_m_s = 0.3;
+// What looks where it drives turns round before: half a turn at 2 rad/s and its beginning and end.
+inline constexpr double kTurnRound_s = 2;
+// At reduced clearance a governed vehicle creeps: at 0.3 m/s it is out of a doorway in this time.
+inline constexpr double kReducedClearance_s = 4;
+// Out of a pocket in legs as long as a body; after each the planner is asked again.
+inline constexpr double kRetraceLeg_m = 0.5;
+// The governor holds a vehicle back, and does not just slow it down before a corner, if it allows
+// less than this of the speed asked for and the vehicle is as slow as that.
+inline constexpr double kHeldBackScale = 0.2;
+inline constexpr double kHeldBack_m_s = 0.3;
+
 // What to do when the vehicle stands although it should move, or has no path: one step after
 // another, from the mildest on, until it has got away from the place. Asks only what navigation
 // knows; the same for every planner.
