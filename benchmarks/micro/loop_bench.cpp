@@ -9,6 +9,8 @@
 namespace voronaut::micro {
 namespace {
 
+constexpr double kPeriod_s = 0.01;
+
 // Evenly placed obstacles on the way from (0, 0) to (10, 10), as in the scene paper-even.
 Scenario even_obstacles() {
   std::vector<Circle> circles;
@@ -65,11 +67,11 @@ void vehicle_step(benchmark::State& state) {
   Command command = model->hold();
   law->reset(at);
   Setpoint setpoint;
-  setpoint.speed_limit_m_s = 2;
+  setpoint.height_m = 1;
   const bool regulated = state.range(0) == 1;
   std::size_t steps = 0;
   for (auto _ : state) {
-    setpoint.p_target_world = Vec3(++steps / 200 % 2 == 0 ? 3 : 0, 0, 1);
+    setpoint.motion = PassTarget{Vec2(++steps / 200 % 2 == 0 ? 3 : 0, 0), 2};
     if (regulated) command = law->regulate(setpoint, at);
     at = model->step(at, command, kPeriod_s);
     benchmark::DoNotOptimize(at);

@@ -112,9 +112,10 @@ void require_able(const ConfigNode& root, const SuiteConfig& suite, const Vehicl
     if (navigation.governor && !no_stop.empty())
       throw said_at("governor")
           .error("no governor for " + who + ": " + no_stop + " (allowed: false)");
-    if (navigation.gaze != Gaze::path && !looks_anywhere)
-      throw said_at("gaze").error("navigation.gaze 'fixed' is not for " + who +
-                                  ", which looks where it drives (allowed: path)");
+    if (navigation.yaw_policy != YawReference::path && !looks_anywhere)
+      throw said_at("yaw_policy")
+          .error("navigation.yaw_policy 'fixed' is not for " + who +
+                 ", which looks where it drives (allowed: path)");
   }
 }
 

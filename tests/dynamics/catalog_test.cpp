@@ -73,7 +73,7 @@ TEST(Catalog, RefusesARegulatorThatDrivesAnotherModel) {
   EXPECT_THAT(message_of([] {
                 make_regulator(find_regulator("pd_rate"), find_vehicle("ideal"), kPeriod_s);
               }),
-              "regulator 'pd_rate' drives the model quadrotor, which vehicle 'ideal' is not");
+              AllOf(HasSubstr("'pd_rate'"), HasSubstr("'ideal'")));
   EXPECT_THAT(message_of([] {
                 make_regulator(find_regulator("ideal"), find_vehicle("quadrotor"), kPeriod_s);
               }),

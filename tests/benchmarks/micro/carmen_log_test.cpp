@@ -1,4 +1,4 @@
-#include "voronaut/benchmarks/micro/carmen_log.h"
+#include "voronaut/environments/sensing/carmen_log.h"
 
 #include <cmath>
 #include <filesystem>
@@ -9,7 +9,7 @@
 #include <gmock/gmock.h>
 #include <zlib.h>
 
-#include "voronaut/benchmarks/micro/mapped_logs.h"
+#include "voronaut/benchmarks/results/mapped_logs.h"
 
 namespace voronaut::micro {
 namespace {

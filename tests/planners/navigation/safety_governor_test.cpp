@@ -41,7 +41,7 @@ struct Dash {
   double range_bias_m = 0;  // added to every return
   double braking = 1;       // share of the deceleration that the governor counts on
   double start_speed_m_s = 0;
-  double dead_time_s = 0;  // courses take effect so much later
+  double dead_time_s = 0;  // commands take effect so much later
   bool governed = true;
 
   // Smallest clearance of the centre to the true surface over the flight.
@@ -67,8 +67,8 @@ struct Dash {
     pilot->reset(state);
     Command pending = model->hold();
     Setpoint setpoint;
-    setpoint.p_target_world.z() = 1;
-    std::vector<Vec2> courses;
+    setpoint.height_m = 1;
+    std::vector<Vec2> commands;
     double smallest = std::numeric_limits<double>::infinity();
     Scan scan;
     for (int step = 0; step < 600; ++step) {
@@ -79,11 +79,13 @@ struct Dash {
         base.update(scan);
         free.update(scan);
         const Vec2 wanted(2.5, 0);
-        courses.push_back(governed ? governor.allow(wanted, state, free, base.snapshot()).v_world
-                                   : wanted);
+        commands.push_back(
+            governed ? governor.allow(wanted, state, free, base.snapshot(), KnownClearance::planned)
+                           .v_world
+                     : wanted);
         const auto late = static_cast<std::size_t>(dead_time_s / (kStepsPerScan * kPeriod_s) + 0.5);
-        setpoint.course_m_s =
-            courses.size() > late ? courses[courses.size() - 1 - late] : Vec2(0, 0);
+        setpoint.motion = VelocityCommand{
+            commands.size() > late ? commands[commands.size() - 1 - late] : Vec2(0, 0)};
       }
       smallest = std::min(smallest, world.clearance_m(p));
       const Command next = pilot->regulate(setpoint, state);
@@ -132,8 +134,8 @@ TEST(SafetyGovernor, LetsFullSpeedPassWhereNothingIsInTheWay) {
   FreeSpace free(kBounds);
   free.mark_disc(Vec2(0, 0), 3);
   const VehicleState state = make_model(spec.model)->at_rest({0, 0, 1}, {1, 0});
-  EXPECT_EQ(governor.allow(Vec2(2.5, 0), state, free, {}).share, 1);
-  EXPECT_FALSE(governor.allow(Vec2(2.5, 0), state, free, {}).refused_at);
+  EXPECT_EQ(governor.allow(Vec2(2.5, 0), state, free, {}, KnownClearance::planned).speed_scale, 1);
+  EXPECT_FALSE(governor.allow(Vec2(2.5, 0), state, free, {}, KnownClearance::planned).refused_at);
 }
 
 TEST(SafetyGovernor, NamesThePlaceThatNobodyKnows) {
@@ -143,11 +145,12 @@ TEST(SafetyGovernor, NamesThePlaceThatNobodyKnows) {
   FreeSpace free(kBounds);
   free.mark_disc(Vec2(0, 0), 0.3);
   const VehicleState state = make_model(find_vehicle("ideal").model)->at_rest({0, 0, 1}, {1, 0});
-  const GovernedCourse course = governor.allow(Vec2(2.5, 0), state, free, {});
-  EXPECT_LT(course.share, 1);
-  ASSERT_TRUE(course.refused_at);
-  EXPECT_FALSE(free.is_free(*course.refused_at));
-  EXPECT_GT(course.refused_at->x(), 0);
+  const GovernedVelocity allowed =
+      governor.allow(Vec2(2.5, 0), state, free, {}, KnownClearance::planned);
+  EXPECT_LT(allowed.speed_scale, 1);
+  ASSERT_TRUE(allowed.refused_at);
+  EXPECT_FALSE(free.is_free(*allowed.refused_at));
+  EXPECT_GT(allowed.refused_at->x(), 0);
 }
 
 TEST(SafetyGovernor, LetsAVehicleLeaveAWallThatItStandsTooCloseTo) {
@@ -158,9 +161,12 @@ TEST(SafetyGovernor, LetsAVehicleLeaveAWallThatItStandsTooCloseTo) {
     FreeSpace free(kBounds);
     free.mark_disc(Vec2(-1, 0), 1.2);  // the body's own disc is not wholly known free
     const VehicleState state = make_model(spec.model)->at_rest({0, 0, 1}, {1, 0});
-    EXPECT_GT(governor.allow(Vec2(-1, 0), state, free, {}).share, 0) << name;
-    EXPECT_EQ(governor.allow(Vec2(1, 0), state, free, {}).share, 0) << name;
-    EXPECT_EQ(governor.allow(Vec2(0, 1), state, free, {}).share, 0) << name;
+    EXPECT_GT(governor.allow(Vec2(-1, 0), state, free, {}, KnownClearance::planned).speed_scale, 0)
+        << name;
+    EXPECT_EQ(governor.allow(Vec2(1, 0), state, free, {}, KnownClearance::planned).speed_scale, 0)
+        << name;
+    EXPECT_EQ(governor.allow(Vec2(0, 1), state, free, {}, KnownClearance::planned).speed_scale, 0)
+        << name;
   }
 }
 
@@ -183,7 +189,10 @@ TEST(SafetyGovernor, LeavesRoomForAllThatAStopMayStrayFromItsPrediction) {
     for (;; narrowest_m += 0.01) {
       ASSERT_LT(narrowest_m, 1) << stray_m;
       SafetyGovernor governor(response, kBodyRadius_m, kClearance_m, 0.05);
-      if (governor.allow(Vec2(1.5, 0), state, strip(-1, 4, narrowest_m), {}).share > 0) break;
+      if (governor
+              .allow(Vec2(1.5, 0), state, strip(-1, 4, narrowest_m), {}, KnownClearance::planned)
+              .speed_scale > 0)
+        break;
     }
     EXPECT_GE(narrowest_m, kBodyRadius_m + stray_m);
     EXPECT_LT(narrowest_m, kBodyRadius_m + stray_m + 0.12) << "not at the edge";
@@ -204,14 +213,15 @@ double room_left_m(const std::string& name, double hold_s, const FreeSpace& free
   pilot->reset(state);
   Command pending = model->hold();
   Setpoint setpoint;
-  setpoint.p_target_world.z() = 1;
+  setpoint.height_m = 1;
   const int steps_held = static_cast<int>(hold_s / kPeriod_s + 0.5);
   double farthest_m = 0;
   for (int step = 0; step < steps_held * periods + 300; ++step) {
     if (step >= steps_held * periods) {
-      setpoint.course_m_s = Vec2(0, 0);
+      setpoint.motion = VelocityCommand{Vec2(0, 0)};
     } else if (step % steps_held == 0) {
-      setpoint.course_m_s = governor.allow(Vec2(2.5, 0), state, free, {}).v_world;
+      setpoint.motion = VelocityCommand{
+          governor.allow(Vec2(2.5, 0), state, free, {}, KnownClearance::planned).v_world};
     }
     const Command next = pilot->regulate(setpoint, state);
     state = model->step(state, pending, kPeriod_s);
@@ -221,7 +231,7 @@ double room_left_m(const std::string& name, double hold_s, const FreeSpace& free
   return end_m - kBodyRadius_m - farthest_m;
 }
 
-TEST(SafetyGovernor, StopsShortOfWhatIsUnknownThoughItHoldsEachCourseAsLongAsItMay) {
+TEST(SafetyGovernor, StopsShortOfWhatIsUnknownThoughItHoldsEachCommandAsLongAsItMay) {
   constexpr double kHold_s = 0.2;
   for (const char* name : {"ideal", "quadrotor"}) {
     double least_m = 1;
@@ -242,14 +252,15 @@ TEST(SafetyGovernor, LetsNoVehicleLeaveFastWhatItStandsTooCloseTo) {
   FreeSpace free(kBounds);
   free.mark_disc(Vec2(-1, 0), 1.2);
   const VehicleState state = make_model(spec.model)->at_rest({0, 0, 1}, {1, 0});
-  const GovernedCourse course = governor.allow(Vec2(-2.5, 0), state, free, {});
-  EXPECT_GT(course.share, 0);
-  EXPECT_LE(course.v_world.norm(), 0.4);
+  const GovernedVelocity allowed =
+      governor.allow(Vec2(-2.5, 0), state, free, {}, KnownClearance::planned);
+  EXPECT_GT(allowed.speed_scale, 0);
+  EXPECT_LE(allowed.v_world.norm(), 0.4);
 }
 
 // At 0.4 m 3 cm less: closer than that planner and governor would wait for each other.
 TEST(SafetyGovernor, KeepsTheClearanceOfPlannersButForItsMargin) {
-  const auto share_beside = [](double aside_m) {
+  const auto speed_scale_beside = [](double aside_m) {
     SafetyGovernor governor(
         velocity_response(find_regulator("ideal"), find_vehicle("ideal"), kPeriod_s), kBodyRadius_m,
         kClearance_m, 0.05);
@@ -257,13 +268,14 @@ TEST(SafetyGovernor, KeepsTheClearanceOfPlannersButForItsMargin) {
     free.mark_disc(Vec2(0, 0), 4);
     const auto post = test::base_of({Vec2(1, aside_m)});
     const VehicleState state = make_model(IdealConfig{})->at_rest({0, 0, 1}, {1, 0});
-    return governor.allow(Vec2(2.5, 0), state, free, post->snapshot()).share;
+    return governor.allow(Vec2(2.5, 0), state, free, post->snapshot(), KnownClearance::planned)
+        .speed_scale;
   };
-  EXPECT_LT(share_beside(0.365), 1);
-  EXPECT_EQ(share_beside(0.375), 1);
+  EXPECT_LT(speed_scale_beside(0.365), 1);
+  EXPECT_EQ(speed_scale_beside(0.375), 1);
 }
 
-TEST(SafetyGovernor, LetsAVehicleSqueezeThroughWhatIsKnownFreeOnly) {
+TEST(SafetyGovernor, AtReducedClearanceAsksOnlyForWhatIsKnownFree) {
   SafetyGovernor governor(
       velocity_response(find_regulator("ideal"), find_vehicle("ideal"), kPeriod_s), kBodyRadius_m,
       kClearance_m, 0.05);
@@ -272,8 +284,8 @@ TEST(SafetyGovernor, LetsAVehicleSqueezeThroughWhatIsKnownFreeOnly) {
   const auto posts = test::base_of({Vec2(0.1, 0.35), Vec2(0.1, -0.35)});
   const ObstacleSnapshot known = posts->snapshot();
   const VehicleState state = make_model(find_vehicle("ideal").model)->at_rest({0, 0, 1}, {1, 0});
-  EXPECT_EQ(governor.allow(Vec2(1, 0), state, free, known).share, 0);
-  EXPECT_GT(governor.allow(Vec2(1, 0), state, free, known, true).share, 0);
+  EXPECT_EQ(governor.allow(Vec2(1, 0), state, free, known, KnownClearance::planned).speed_scale, 0);
+  EXPECT_GT(governor.allow(Vec2(1, 0), state, free, known, KnownClearance::reduced).speed_scale, 0);
 }
 
 // Each condition of the proof, broken: the vehicle touches.
