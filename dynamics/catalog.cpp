@@ -81,7 +81,7 @@ VehicleSpec vehicle(const std::string& name) {
   if (name == "quadrotor") return quadrotor;
   if (name == "quadrotor_props") {
     quadrotor.body_radius_m = 0.39;
-    quadrotor.clearance_min_m = 0.5;
+    quadrotor.planning_clearance_m = 0.5;
     return quadrotor;
   }
   if (name == "cart") {
@@ -89,7 +89,7 @@ VehicleSpec vehicle(const std::string& name) {
     // They could give 19 m/s^2; what the wheels' grip allows is ours to choose.
     return {.name = name,
             .body_radius_m = 0.22,
-            .clearance_min_m = 0.37,
+            .planning_clearance_m = 0.37,
             .limits = {.max_speed_m_s = 1.25, .max_acceleration_m_s2 = 1, .max_tilt_rad = 0},
             .model = CartConfig{},
             .regulator = "position_trajectory"};

@@ -5,7 +5,7 @@
 namespace voronaut {
 
 EpisodeLog fly(Flight& flight) {
-  const double period_s = flight.spec.loop.vehicle_period_s;
+  const double period_s = flight.spec.flight.loop.vehicle_period_s;
   const Scenario& scenario = flight.spec.scenario;
   const Vec3 start(scenario.start_world.x(), scenario.start_world.y(), scenario.start_height_m);
 

@@ -100,9 +100,9 @@ Trace trace_of(const TrialSpec& spec, const EpisodeLog& log, const ObstacleSnaps
   Trace trace;
   trace.trial_id = spec.trial_id;
   trace.body_radius_m = spec.vehicle.body_radius_m;
-  trace.clearance_min_m = spec.vehicle.clearance_min_m;
-  trace.field_of_view_rad = spec.range_finder.field_of_view_rad;
-  trace.max_range_m = spec.range_finder.max_range_m;
+  trace.clearance_min_m = spec.vehicle.planning_clearance_m;
+  trace.field_of_view_rad = spec.flight.range_finder.field_of_view_rad;
+  trace.max_range_m = spec.flight.range_finder.max_range_m;
   for (const Path& plan : log.plans) trace.plans.push_back(vertices(plan));
   add_clusters(log, known, trace);
   add_searches(log.searches, trace);

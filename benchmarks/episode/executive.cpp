@@ -27,7 +27,7 @@ bool Flight::depart(const VehicleState& state, double now_s) {
     const bool risen =
         std::abs(error_m) < kHeightReached_m && std::abs(state.v_world.z()) < kHeightReached_m_s;
     if (!risen) return false;
-    if (spec.navigation.look_around) look_around.begin(state.heading_world());
+    if (spec.flight.navigation.look_around) look_around.begin(state.heading_world());
   }
   look_around.advance(state.heading_world());
   if (look_around.active()) {
@@ -42,13 +42,14 @@ bool Flight::depart(const VehicleState& state, double now_s) {
 // The known point that is closer to p than planners plan.
 std::optional<Vec2> Flight::crowding(const Vec2& p_world) const {
   const ObstacleSnapshot known = map.snapshot();
-  const auto nearest = known.nearest(p_world, spec.vehicle.clearance_min_m);
+  const auto nearest = known.nearest(p_world, spec.vehicle.planning_clearance_m);
   return nearest ? std::optional(known.points()[*nearest]) : std::nullopt;
 }
 
 // An unknown place as close as that, for which the governor refused.
 std::optional<Vec2> Flight::hemming_in(const Vec2& p_world) const {
-  const bool near = refused_at && (*refused_at - p_world).norm() < spec.vehicle.clearance_min_m;
+  const bool near =
+      refused_at && (*refused_at - p_world).norm() < spec.vehicle.planning_clearance_m;
   return near ? refused_at : std::nullopt;
 }
 
@@ -108,8 +109,8 @@ Vec2 Flight::leaning_away(const Vec2& towards, const Vec2& p_world) const {
   const Vec2 from_nearest = p_world - *nearest;
   const double distance_m = from_nearest.norm();
   if (distance_m == 0) return towards;
-  const double lean =
-      std::min(2.0, (spec.vehicle.clearance_min_m - distance_m) / SafetyGovernor::kKnownMargin_m);
+  const double lean = std::min(
+      2.0, (spec.vehicle.planning_clearance_m - distance_m) / SafetyGovernor::kKnownMargin_m);
   const Vec2 blended = towards + (lean / distance_m) * from_nearest;
   return blended.norm() > 0.1 ? Vec2(blended.normalized()) : Vec2(from_nearest / distance_m);
 }
@@ -136,7 +137,7 @@ Setpoint Flight::navigate(const VehicleState& state, double now_s) {
     setpoint.yaw_rate_rad_s = gaze.yaw_rate_rad_s(setpoint.heading_world, state.heading_world());
     tracker.advance(p);
     aim = tracker.aim(p, state.v_world.head<2>().norm(), belief.obstacles,
-                      spec.vehicle.clearance_min_m);
+                      spec.vehicle.planning_clearance_m);
   } else if (departed) {
     executive = ExecutiveState::without_path;
   }
@@ -148,8 +149,9 @@ Setpoint Flight::navigate(const VehicleState& state, double now_s) {
   const bool squeezing = retracing || now_s < squeeze_until_s;
   Vec2 towards = way.norm() > 0 ? Vec2(way.normalized()) : setpoint.heading_world;
   if (way.norm() > 0 && !squeezing) towards = leaning_away(towards, p);
-  setpoint.speed_limit_m_s = speed_limit_m_s(spec.navigation.speed_rule, belief, towards, braking,
-                                             spec.navigation.reaction_time_s, aim.speed_limit_m_s);
+  setpoint.speed_limit_m_s =
+      speed_limit_m_s(spec.flight.navigation.speed_rule, belief, towards, braking,
+                      spec.flight.navigation.reaction_time_s, aim.speed_limit_m_s);
   if (governor) govern(state, towards, squeezing, setpoint);
   return setpoint;
 }

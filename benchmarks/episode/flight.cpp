@@ -26,13 +26,13 @@ Bounds planning_bounds(const Scenario& scenario) {
 // What a body within the bounds may touch.
 Bounds reachable_bounds(const TrialSpec& spec) {
   const Bounds& world = spec.scenario.world->bounds();
-  const Vec2 rim(spec.vehicle.clearance_min_m, spec.vehicle.clearance_min_m);
+  const Vec2 rim(spec.vehicle.planning_clearance_m, spec.vehicle.planning_clearance_m);
   return {world.min - rim, world.max + rim};
 }
 
 ProblemConfig problem_config(const TrialSpec& spec) {
   return {planning_bounds(spec.scenario), spec.scenario.goal_world, spec.scenario.goal_tolerance_m,
-          spec.vehicle.clearance_min_m};
+          spec.vehicle.planning_clearance_m};
 }
 
 const PlannerEntry& planner_entry(const TrialSpec& spec, const PlannerCatalog& planners) {
@@ -50,19 +50,19 @@ ompl::base::PlannerPtr make_planner(const TrialSpec& spec, const PlannerEntry& e
 
 Braking braking_of(const TrialSpec& spec) {
   const StoppingLaw law = stopping_law(spec.regulator, spec.vehicle);
-  return {law.k_1_s, law.a_m_s2, spec.vehicle.clearance_min_m};
+  return {law.k_1_s, law.a_m_s2, spec.vehicle.planning_clearance_m};
 }
 
 std::size_t ticks_per_scan_of(const TrialSpec& spec) {
-  const double ticks = 1 / (spec.range_finder.rate_hz * spec.loop.vehicle_period_s);
+  const double ticks = 1 / (spec.flight.range_finder.rate_hz * spec.flight.loop.vehicle_period_s);
   return static_cast<std::size_t>(std::max(1.0, std::round(ticks)));
 }
 
 std::optional<SafetyGovernor> governor_of(const TrialSpec& spec) {
-  if (!spec.navigation.governor) return std::nullopt;
-  const double period_s = spec.loop.vehicle_period_s;
+  if (!spec.flight.navigation.governor) return std::nullopt;
+  const double period_s = spec.flight.loop.vehicle_period_s;
   return SafetyGovernor(velocity_response(spec.regulator, spec.vehicle, period_s),
-                        spec.vehicle.body_radius_m, spec.vehicle.clearance_min_m,
+                        spec.vehicle.body_radius_m, spec.vehicle.planning_clearance_m,
                         static_cast<double>(ticks_per_scan_of(spec)) * period_s);
 }
 
@@ -83,21 +83,22 @@ Flight::Flight(const TrialSpec& trial, const PlannerCatalog& planners, bool keep
       ticks_per_scan(ticks_per_scan_of(trial)),
       model(make_model(trial.vehicle.model)),
       regulator(make_regulator(trial.regulator, trial.vehicle)),
-      range_finder(trial.range_finder),
+      range_finder(trial.flight.range_finder),
       sensor_noise(derive_seed(trial.planner_seed, {"range finder"}, 0)),
-      map(trial.mapping),
+      map(trial.flight.mapping),
       free_space(reachable_bounds(trial)),
       problem(problem_config(trial)),
       planner_traits(planner_entry(trial, planners).traits),
       planner(make_planner(trial, planner_entry(trial, planners), problem)),
-      replan_policy(trial.navigation, planner_traits),
-      tracker(trial.navigation, SpeedProfile{}, trial.vehicle.limits.max_speed_m_s),
-      gaze(trial.navigation.gaze, trial.scenario.start_heading),
-      look_around(trial.range_finder.field_of_view_rad),
-      recovery(trial.navigation.stall_timeout_s),
+      replan_policy(trial.flight.navigation, planner_traits),
+      tracker(trial.flight.navigation, SpeedProfile{}, trial.vehicle.limits.max_speed_m_s),
+      gaze(trial.flight.navigation.gaze, trial.scenario.start_heading),
+      look_around(trial.flight.range_finder.field_of_view_rad),
+      recovery(trial.flight.navigation.stall_timeout_s),
       braking(braking_of(trial)),
       governor(governor_of(trial)),
-      referee(trial.scenario, trial.vehicle.body_radius_m, trial.shortest_length_m, trial.loop) {
+      referee(trial.scenario, trial.vehicle.body_radius_m, trial.shortest_length_m,
+              trial.flight.loop) {
   if (governor) free_space.mark_disc(trial.scenario.start_world, trial.vehicle.body_radius_m);
 }
 
@@ -116,7 +117,7 @@ void Flight::update_map() {
 void Flight::plan(const VehicleState& state, double now_s) {
   if (!departed && !depart(state, now_s)) return;
   const Vec2& p = belief.pose_world.p_world;
-  if (spec.navigation.recovery) recover(state, now_s);
+  if (spec.flight.navigation.recovery) recover(state, now_s);
   problem.update(belief, p);
   tracker.advance(p);
   if (retracing) {
@@ -129,7 +130,7 @@ void Flight::plan(const VehicleState& state, double now_s) {
   event.replan = replan_policy.reason(tracker, problem.geometry(), p, now_s);
   if (event.replan == ReplanReason::none) return;
 
-  Plan plan = ask_for_plan(*planner, planner_traits, problem, spec.budget);
+  Plan plan = ask_for_plan(*planner, planner_traits, problem, spec.flight.budget);
   ++log.replans;
   ++log.solve_ends[static_cast<std::size_t>(plan.end)];
   event.solve_end = plan.end;
@@ -149,7 +150,7 @@ void Flight::adopt(Plan plan, double now_s) {
     return;
   }
   retracing = false;
-  if (spec.navigation.shortcut && !planner_traits.plans_on_every_scan) {
+  if (spec.flight.navigation.shortcut && !planner_traits.plans_on_every_scan) {
     plan.path = shortcut(plan.path, problem.geometry());
   }
   if (keep_scans) log.plans.push_back(plan.path);
@@ -161,14 +162,14 @@ void Flight::adopt(Plan plan, double now_s) {
 void Flight::judge_infeasible(double now_s) {
   tracker.drop();
   problem.update(belief, spec.scenario.start_world);
-  const Plan from_start = ask_for_plan(*planner, planner_traits, problem, spec.budget);
+  const Plan from_start = ask_for_plan(*planner, planner_traits, problem, spec.flight.budget);
   problem.update(belief, belief.pose_world.p_world);
   if (from_start.status == PlanStatus::infeasible) {
     referee.accept_infeasible(now_s, problem.goal_has_place()
                                          ? "the planner proved that no path exists"
                                          : "no place at the goal keeps the clearance from what is "
                                            "known");
-  } else if (spec.navigation.recovery) {
+  } else if (spec.flight.navigation.recovery) {
     retrace();
   }
 }

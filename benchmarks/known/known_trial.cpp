@@ -28,12 +28,12 @@ constexpr double kSamePlace_m = 1e-9;
 // One solve, everything made anew.
 struct KnownSolve {
   KnownSolve(const TrialSpec& spec, const PlannerCatalog& planners, bool watch)
-      : problem(spec.scenario, spec.vehicle.clearance_min_m) {
+      : problem(spec.scenario, spec.vehicle.planning_clearance_m) {
     planner = planners.find(spec.planner.name)->make(problem.space_information());
     set_parameters(*planner, spec.planner.name, spec.planner.params);
     planner->setProblemDefinition(problem.definition());
     planner->setup();
-    const BudgetMeter meter(spec.budget, [this] { return problem.state_checks(); });
+    const BudgetMeter meter(spec.flight.budget, [this] { return problem.state_checks(); });
     const auto start = std::chrono::steady_clock::now();
     report = solve_within(*planner, meter, watch ? &improvements : nullptr);
     const std::chrono::duration<double, std::micro> spent =

@@ -19,9 +19,10 @@ TrialSpec governed_trial() {
   spec.regulator_name = spec.vehicle.regulator;
   spec.regulator = regulator(spec.regulator_name);
   spec.planner = {"VoronoiRoadmap", "VoronoiRoadmap", {}};
-  spec.range_finder.rays = 91;
-  spec.navigation.governor = spec.navigation.look_around = spec.navigation.recovery = true;
-  spec.navigation.gaze = Gaze::path;
+  spec.flight.range_finder.rays = 91;
+  spec.flight.navigation.governor = spec.flight.navigation.look_around =
+      spec.flight.navigation.recovery = true;
+  spec.flight.navigation.gaze = Gaze::path;
   spec.shortest_length_m = 15;
   return spec;
 }
@@ -55,10 +56,10 @@ class GovernedCycle : public CountedWork {
   }
 
  private:
-  double now_s() const { return static_cast<double>(tick_) * spec_.loop.vehicle_period_s; }
+  double now_s() const { return static_cast<double>(tick_) * spec_.flight.loop.vehicle_period_s; }
   void finish_step() {
     const Command command = flight_.regulator->regulate(setpoint_, state_);
-    state_ = flight_.model->step(state_, applied_, spec_.loop.vehicle_period_s);
+    state_ = flight_.model->step(state_, applied_, spec_.flight.loop.vehicle_period_s);
     applied_ = command;
     ++tick_;
     flight_.referee.judge(now_s(), state_);

@@ -188,7 +188,7 @@ void seed_as_a_trial(std::uint64_t planner_seed) {
 std::vector<Run> through_ompl(const TrialSpec& query, int runs, double motion_us) {
   const ChildReport child = run_in_child(
       [&] {
-        const KnownProblem problem(query.scenario, query.vehicle.clearance_min_m);
+        const KnownProblem problem(query.scenario, query.vehicle.planning_clearance_m);
         make_costly(problem.space_information(), motion_us);
         ompl::geometric::SimpleSetup setup(problem.space_information());
         setup.addStartState(ob::ScopedState<>(problem.space_information()->getStateSpace(),
@@ -220,7 +220,7 @@ TrialSpec query_of(const Circles& circles, std::size_t index) {
   spec.scenario.start_world = circles.queries[index].first;
   spec.scenario.goal_world = circles.queries[index].second;
   spec.scenario.goal_tolerance_m = 1e-3;
-  spec.vehicle.clearance_min_m = kClearance_m;
+  spec.vehicle.planning_clearance_m = kClearance_m;
   spec.planner = {"RRTConnect", "RRTConnect", {}};
   return spec;
 }

@@ -77,7 +77,7 @@ TEST(CartDrive, BacksOffByTurningRoundAndDrivingAway) {
 
 TEST(CartDrive, IsNotGoverned) {
   TrialSpec spec = cart_trial("generator: {name: u_trap}", "recovery: true");
-  spec.navigation.governor = true;  // what no suite can ask for
+  spec.flight.navigation.governor = true;  // what no suite can ask for
   EXPECT_THROW(Flight(spec, PlannerCatalog::built_in(), false), std::invalid_argument);
 }
 
