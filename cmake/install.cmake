@@ -15,6 +15,8 @@ foreach(folder environments dynamics planners benchmarks reports)
 endforeach()
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/benchmarks/suites ${PROJECT_SOURCE_DIR}/benchmarks/scenarios
   DESTINATION ${CMAKE_INSTALL_DATADIR}/voronaut FILES_MATCHING PATTERN "*.yaml")
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/benchmarks/schema
+  DESTINATION ${CMAKE_INSTALL_DATADIR}/voronaut)
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/benchmarks/examples
   DESTINATION ${CMAKE_INSTALL_DATADIR}/voronaut)
 

@@ -2,6 +2,7 @@
 #include <stdexcept>
 
 #include "voronaut/benchmarks/episode/episode.h"
+#include "voronaut/benchmarks/episode/index_of.h"
 #include "voronaut/planners/navigation/shortcut.h"
 
 // The stages of the loop that fly() calls.
@@ -64,15 +65,6 @@ std::optional<SafetyGovernor> governor_of(const TrialSpec& spec) {
   return SafetyGovernor(velocity_response(spec.regulator, spec.vehicle, period_s),
                         spec.vehicle.body_radius_m, spec.vehicle.planning_clearance_m,
                         static_cast<double>(ticks_per_scan_of(spec)) * period_s);
-}
-
-int index_of(std::vector<std::string>& names, const std::string& name) {
-  if (name.empty()) return -1;
-  for (std::size_t i = 0; i < names.size(); ++i) {
-    if (names[i] == name) return static_cast<int>(i);
-  }
-  names.push_back(name);
-  return static_cast<int>(names.size()) - 1;
 }
 
 }  // namespace

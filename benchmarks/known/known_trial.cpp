@@ -4,11 +4,11 @@
 #include <memory>
 
 #include <ompl/geometric/PathGeometric.h>
-#include <ompl/util/RandomNumbers.h>
 
 #include "voronaut/benchmarks/episode/metrics.h"
 #include "voronaut/benchmarks/known/known_problem.h"
 #include "voronaut/benchmarks/known/known_trace.h"
+#include "voronaut/benchmarks/trial/ompl_seed.h"
 #include "voronaut/environments/world.h"
 #include "voronaut/planners/catalog/planner_insight.h"
 #include "voronaut/planners/problem/path_conversion.h"
@@ -49,10 +49,6 @@ struct KnownSolve {
   double time_us = 0;
   std::uint64_t checks = 0;
 };
-
-void seed(std::uint64_t planner_seed) {
-  ompl::RNG::setSeed(static_cast<std::uint_fast32_t>(planner_seed % 0x7fffffffU) + 1);
-}
 
 // What is wrong with a path that claims to lead from the start to the goal, empty if nothing is.
 std::string flaw_of(const ompl::geometric::PathGeometric& path, const KnownSolve& solved,
@@ -141,10 +137,10 @@ TrialResult run_known_trial(const TrialSpec& spec, const PlannerCatalog& planner
   {
     // Untimed: the first solve of a process pays for pages and caches. Of another seed: the
     // processor predicts the branches of a search that it has just done.
-    seed(spec.planner_seed + 1);
+    seed_ompl(spec.planner_seed + 1);
     const KnownSolve warm_up(spec, planners, keep_trace);
   }
-  seed(spec.planner_seed);
+  seed_ompl(spec.planner_seed);
   KnownSolve solved(spec, planners, keep_trace);
 
   TrialResult result{record_of(spec, solved), std::nullopt};

@@ -20,6 +20,7 @@
 #include "voronaut/benchmarks/known/known_problem.h"
 #include "voronaut/benchmarks/known/known_trial.h"
 #include "voronaut/benchmarks/runner/child_process.h"
+#include "voronaut/benchmarks/trial/ompl_seed.h"
 #include "voronaut/environments/random.h"
 #include "voronaut/environments/world.h"
 
@@ -181,7 +182,7 @@ class ClockedRRTConnect : public ompl::geometric::RRTConnect {
 // What draws a seed in a trial before RRTConnect's sampler does: the planner, and the choice of
 // pivots in the nearest-neighbour structure of each of its two trees. Benchmark makes them once.
 void seed_as_a_trial(std::uint64_t planner_seed) {
-  ompl::RNG::setSeed(static_cast<std::uint_fast32_t>(planner_seed % 0x7fffffffU) + 1);
+  seed_ompl(planner_seed);
   const std::array<ompl::RNG, 3> before_the_sampler;
 }
 

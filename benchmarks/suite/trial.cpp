@@ -3,12 +3,12 @@
 #include <cmath>
 
 #include <ompl/util/Console.h>
-#include <ompl/util/RandomNumbers.h>
 
 #include "voronaut/benchmarks/episode/episode.h"
 #include "voronaut/benchmarks/episode/episode_trace.h"
 #include "voronaut/benchmarks/episode/metrics.h"
 #include "voronaut/benchmarks/known/known_trial.h"
+#include "voronaut/benchmarks/trial/ompl_seed.h"
 
 namespace voronaut {
 
@@ -87,7 +87,7 @@ RunRecord record_before_flight(const TrialSpec& spec) {
 TrialResult run_trial(const TrialSpec& spec, const PlannerCatalog& planners, bool keep_trace) {
   ompl::msg::setLogLevel(ompl::msg::LOG_NONE);
   if (spec.kind == TrialKind::known) return run_known_trial(spec, planners, keep_trace);
-  ompl::RNG::setSeed(static_cast<std::uint_fast32_t>(spec.planner_seed % 0x7fffffffU) + 1);
+  seed_ompl(spec.planner_seed);
 
   TrialResult result{record_before_flight(spec), std::nullopt};
   Flight flight(spec, planners, keep_trace);

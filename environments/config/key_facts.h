@@ -21,6 +21,8 @@ struct KeyFact {
   std::string sentence;
   std::vector<KeyFact> keys;  // of a section
   int group = -1;             // keys of two groups >= 0 cannot stand together in one section
+
+  bool operator==(const KeyFact&) const = default;
 };
 
 // In the order of the list.
