@@ -5,6 +5,8 @@ include(CMakePackageConfigHelpers)
 install(TARGETS voronaut_cli RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT runtime)
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/benchmarks/suites ${PROJECT_SOURCE_DIR}/benchmarks/scenarios
   DESTINATION ${CMAKE_INSTALL_DATADIR}/voronaut COMPONENT runtime FILES_MATCHING PATTERN "*.yaml")
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/benchmarks/schema
+  DESTINATION ${CMAKE_INSTALL_DATADIR}/voronaut COMPONENT runtime)
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/benchmarks/examples
   DESTINATION ${CMAKE_INSTALL_DATADIR}/voronaut COMPONENT development)
 

@@ -16,7 +16,7 @@ const std::vector<VehicleSpec>& vehicles() {
       // 1.27. They could give 19 m/s^2; what the wheels' grip allows is ours to choose.
       {.name = "cart",
        .body_radius_m = 0.22,
-       .clearance_min_m = 0.37,
+       .planning_clearance_m = 0.37,
        .limits = {.max_speed_m_s = 1.25, .max_acceleration_m_s2 = 1, .max_tilt_rad = kNoTilt_rad},
        .model = CartConfig{},
        .regulator = PositionTrajectoryConfig::kName},
@@ -32,7 +32,7 @@ const std::vector<VehicleSpec>& vehicles() {
       // With propellers of 0.15 m radius.
       {.name = "quadrotor_props",
        .body_radius_m = 0.39,
-       .clearance_min_m = 0.5,
+       .planning_clearance_m = 0.5,
        .limits = {.max_acceleration_m_s2 = 3.5706},
        .model = QuadrotorConfig{},
        .regulator = PdRateConfig::kName}};

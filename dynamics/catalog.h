@@ -33,8 +33,8 @@ using RegulatorConfig =
 
 struct VehicleSpec {
   std::string name;
-  double body_radius_m = 0.25;    // upright cylinder about the centre of mass
-  double clearance_min_m = 0.40;  // planning: centre of mass to obstacle
+  double body_radius_m = 0.25;
+  double planning_clearance_m = 0.40;
   MotionLimits limits;
   ModelConfig model;
   std::string regulator;  // the one it flies with unless another is asked for
@@ -42,8 +42,10 @@ struct VehicleSpec {
   // The model's own parameters are visited apart, on `model`.
   template <class Visitor>
   void visit(Visitor& v) {
-    v.number("body_radius_m", body_radius_m, 0.001, 10);
-    v.number("clearance_min_m", clearance_min_m, 0.001, 20);
+    v.number("body_radius_m", body_radius_m, 0.001, 10,
+             "Upright cylinder about the centre of mass, which must touch nothing");
+    v.number("planning_clearance_m", planning_clearance_m, 0.001, 20,
+             "Centre of mass to obstacle, as planners and governor keep it");
     limits.visit(v);
   }
 };

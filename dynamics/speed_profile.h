@@ -17,22 +17,26 @@ struct SpeedProfileConfig {
   };
 
   Kind kind = Kind::sqrt;
-  double deceleration_m_s2 = 1.0;      // sqrt: a_b
-  double goal_gain_1_s = 0.6;          // sqrt: k_v; keep <= 0.35 kp/kd or the vehicle overshoots
-  double slope_1_m = 2.0;              // the others: a of eq. (6)
-  double half_speed_distance_m = 1.5;  // paper, logistic: b of eq. (6)
+  double deceleration_m_s2 = 1.0;
+  double goal_gain_1_s = 0.6;
+  double slope_1_m = 2.0;
+  double half_speed_distance_m = 1.5;
 
   template <class Visitor>
   void visit(Visitor& v) {
-    v.choice("speed_profile", kind,
-             {{"sqrt", Kind::sqrt},
-              {"paper", Kind::paper},
-              {"logistic", Kind::logistic},
-              {"literal", Kind::literal}});
-    v.number("profile_deceleration_m_s2", deceleration_m_s2, 0.01, 100);
-    v.number("profile_goal_gain_1_s", goal_gain_1_s, 0.01, 100);
-    v.number("profile_slope_1_m", slope_1_m, 0.01, 100);
-    v.number("profile_half_speed_distance_m", half_speed_distance_m, 0, 100);
+    v.choice(
+        "speed_profile", kind,
+        {{"sqrt", Kind::sqrt},
+         {"paper", Kind::paper},
+         {"logistic", Kind::logistic},
+         {"literal", Kind::literal}},
+        "How it slows down towards a target: by constant deceleration, or a reading of eq. (6)");
+    v.number("profile_deceleration_m_s2", deceleration_m_s2, 0.01, 100, "sqrt: the deceleration");
+    v.number("profile_goal_gain_1_s", goal_gain_1_s, 0.01, 100,
+             "sqrt: speed per distance close to the target; keep <= 0.35 kp/kd or it overshoots");
+    v.number("profile_slope_1_m", slope_1_m, 0.01, 100, "paper, logistic, literal: a of eq. (6)");
+    v.number("profile_half_speed_distance_m", half_speed_distance_m, 0, 100,
+             "paper, logistic: b of eq. (6)");
   }
 };
 

@@ -18,6 +18,7 @@ set(allowed_planners
   "planners/"
   "environments/shapes/(geometry|shapes|shape_index)[.]h"
   "environments/sensing/(scan|ray_caster)[.]h"
+  "environments/config/nearest_name[.]h"
   "dynamics/(state|path|limits|stopping|speed_profile|heading|velocity_response)[.]h")
 set(allowed_benchmarks "benchmarks/" "planners/" "environments/" "dynamics/" "reports/")
 

@@ -29,5 +29,6 @@ ExitCode execute(const EvidenceOptions& options, const CommandContext& context);
 ExitCode execute(const PlotOptions& options, const CommandContext& context);
 ExitCode execute(const ShowOptions& options, const CommandContext& context);
 ExitCode execute(const ExportOptions& options, const CommandContext& context);
+ExitCode execute(const SchemaOptions& options, const CommandContext& context);
 
 }  // namespace voronaut

@@ -31,7 +31,7 @@ Rows vehicle_rows() {
   for (const std::string& name : vehicle_names()) {
     const VehicleSpec spec = find_vehicle(name);
     rows.emplace_back(name, "body radius " + number_text(spec.body_radius_m) + " m, clearance " +
-                                number_text(spec.clearance_min_m) + " m, up to " +
+                                number_text(spec.planning_clearance_m) + " m, up to " +
                                 number_text(spec.limits.max_speed_m_s) + " m/s, regulator " +
                                 spec.regulator);
   }

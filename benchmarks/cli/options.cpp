@@ -67,6 +67,7 @@ struct Commands {
     add_plot(app);
     add_show(app);
     add_export(app);
+    add_schema(app);
   }
 
   void add_run(CLI::App& app) {
@@ -145,6 +146,15 @@ struct Commands {
     export_command->add_option("-o,--output", exported.out, "File [export.* in DIR]");
   }
 
+  void add_schema(CLI::App& app) {
+    schema_command = add_command(app, "schema", "Print what suite and scenario files may say");
+    schema_command->add_option("OF", schema.of, "suite or scenario [suite]")
+        ->check(CLI::IsMember({"suite", "scenario"}));
+    schema_command->add_option("--format", schema.format, "json (JSON Schema) or md [json]")
+        ->check(CLI::IsMember({"json", "md"}));
+    add_plugins(schema_command, schema.plugins);
+  }
+
   Options chosen() const {
     if (run_command->parsed()) return run;
     if (summary_command->parsed()) return summary;
@@ -156,6 +166,7 @@ struct Commands {
     if (evidence_command->parsed()) return evidence;
     if (show_command->parsed()) return show;
     if (export_command->parsed()) return exported;
+    if (schema_command->parsed()) return schema;
     return plot;
   }
 
@@ -170,6 +181,7 @@ struct Commands {
   PlotOptions plot;
   ShowOptions show;
   ExportOptions exported;
+  SchemaOptions schema;
 
   CLI::App* run_command = nullptr;
   CLI::App* summary_command = nullptr;
@@ -182,6 +194,7 @@ struct Commands {
   CLI::App* plot_command = nullptr;
   CLI::App* show_command = nullptr;
   CLI::App* export_command = nullptr;
+  CLI::App* schema_command = nullptr;
 };
 
 }  // namespace

@@ -86,9 +86,15 @@ struct ExportOptions {
   std::string out;     // empty: export.<ending> in the folder
 };
 
+struct SchemaOptions {
+  std::string of = "suite";     // or scenario: of which files
+  std::string format = "json";  // or md: all keys of both
+  std::vector<std::string> plugins;
+};
+
 using Options = std::variant<RunOptions, SummaryOptions, ListOptions, CheckOptions, ReplayOptions,
                              DigestOptions, ReportOptions, EvidenceOptions, PlotOptions,
-                             ShowOptions, ExportOptions>;
+                             ShowOptions, ExportOptions, SchemaOptions>;
 
 // 0: done. 1: ran, but something failed. 2: bad input.
 enum class ExitCode { success = 0, failure = 1, bad_input = 2 };

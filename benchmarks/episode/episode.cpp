@@ -3,7 +3,7 @@
 namespace voronaut {
 
 EpisodeLog fly(Flight& flight) {
-  const double period_s = flight.spec.loop.vehicle_period_s;
+  const double period_s = flight.spec.flight.loop.vehicle_period_s;
   VehicleState state = flight.at_start();
   Command applied = flight.model->hold();
   flight.regulator->reset(state);

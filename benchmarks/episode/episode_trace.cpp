@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "voronaut/benchmarks/episode/index_of.h"
 #include "voronaut/benchmarks/episode/search_trace.h"
 
 namespace voronaut {
@@ -57,13 +58,6 @@ TraceFrame frame_at(const ScanEvent& event, const Tick& tick) {
   return frame;
 }
 
-int index_of(const std::string& name, std::vector<std::string>& names) {
-  const auto known = std::find(names.begin(), names.end(), name);
-  if (known != names.end()) return static_cast<int>(known - names.begin());
-  names.push_back(name);
-  return static_cast<int>(names.size()) - 1;
-}
-
 // What a reader of a replay asks: what does it do now? The executive's state, and while tracking
 // the planner's mode where it has one.
 std::string shown_mode(const ScanEvent& event, const EpisodeLog& log) {
@@ -74,12 +68,12 @@ std::string shown_mode(const ScanEvent& event, const EpisodeLog& log) {
 
 int replan_of(const ScanEvent& event, std::vector<std::string>& names) {
   const bool asked = event.replan != ReplanReason::none && event.replan != ReplanReason::every_scan;
-  return asked ? index_of(std::string(to_string(event.replan)), names) : -1;
+  return asked ? index_of(names, std::string(to_string(event.replan))) : -1;
 }
 
 int solve_end_of(const ScanEvent& event, std::vector<std::string>& names) {
   const bool solved = event.replan != ReplanReason::none;
-  return solved ? index_of(std::string(to_string(event.solve_end)), names) : -1;
+  return solved ? index_of(names, std::string(to_string(event.solve_end))) : -1;
 }
 
 void add_clusters(const EpisodeLog& log, const ObstacleSnapshot& known, Trace& trace) {
@@ -100,15 +94,15 @@ Trace trace_of(const TrialSpec& spec, const EpisodeLog& log, const ObstacleSnaps
   Trace trace;
   trace.trial_id = spec.trial_id;
   trace.body_radius_m = spec.vehicle.body_radius_m;
-  trace.clearance_min_m = spec.vehicle.clearance_min_m;
-  trace.field_of_view_rad = spec.range_finder.field_of_view_rad;
-  trace.max_range_m = spec.range_finder.max_range_m;
+  trace.clearance_min_m = spec.vehicle.planning_clearance_m;
+  trace.field_of_view_rad = spec.flight.range_finder.field_of_view_rad;
+  trace.max_range_m = spec.flight.range_finder.max_range_m;
   for (const Path& plan : log.plans) trace.plans.push_back(vertices(plan));
   add_clusters(log, known, trace);
   add_searches(log.searches, trace);
   for (const ScanEvent& event : log.scans) {
     TraceFrame& frame = trace.frames.emplace_back(frame_at(event, log.ticks[event.tick]));
-    frame.mode = index_of(shown_mode(event, log), trace.modes);
+    frame.mode = index_of(trace.modes, shown_mode(event, log));
     frame.replan = replan_of(event, trace.replan_reasons);
     frame.solve_end = solve_end_of(event, trace.solve_ends);
     frame.search = event.search < trace.kept_searches ? event.search : -1;

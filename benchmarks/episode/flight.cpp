@@ -7,16 +7,16 @@ namespace voronaut {
 namespace {
 
 std::size_t ticks_per_scan_of(const TrialSpec& spec) {
-  const double ticks = 1 / (spec.range_finder.rate_hz * spec.loop.vehicle_period_s);
+  const double ticks = 1 / (spec.flight.range_finder.rate_hz * spec.flight.loop.vehicle_period_s);
   return static_cast<std::size_t>(std::max(1.0, std::round(ticks)));
 }
 
 VehicleFacts vehicle_facts(const TrialSpec& spec) {
-  const double period_s = spec.loop.vehicle_period_s;
+  const double period_s = spec.flight.loop.vehicle_period_s;
   const StoppingLaw law = stopping_law(spec.regulator, spec.vehicle);
   VehicleFacts facts;
   facts.body_radius_m = spec.vehicle.body_radius_m;
-  facts.clearance_min_m = spec.vehicle.clearance_min_m;
+  facts.planning_clearance_m = spec.vehicle.planning_clearance_m;
   facts.steering = mobility_of(spec.vehicle).moves_sideways ? Steering::any_direction
                                                           : Steering::along_heading;
   facts.limits = spec.vehicle.limits;
@@ -24,7 +24,7 @@ VehicleFacts vehicle_facts(const TrialSpec& spec) {
   facts.deceleration_m_s2 = law.a_m_s2;
   facts.goal_profile =
       std::visit([](const auto& regulator) { return regulator.profile; }, spec.regulator);
-  if (spec.navigation.governor)
+  if (spec.flight.navigation.governor)
     facts.velocity_response = velocity_response(spec.regulator, spec.vehicle, period_s);
   return facts;
 }
@@ -42,13 +42,13 @@ NavigatorConfig navigator_config(const TrialSpec& spec) {
                     .bounds_world = scenario.world->bounds()};
   config.vehicle = vehicle_facts(spec);
   config.range_finder = {
-      .field_of_view_rad = spec.range_finder.field_of_view_rad,
-      .period_s = static_cast<double>(ticks_per_scan_of(spec)) * spec.loop.vehicle_period_s};
+      .field_of_view_rad = spec.flight.range_finder.field_of_view_rad,
+      .period_s = static_cast<double>(ticks_per_scan_of(spec)) * spec.flight.loop.vehicle_period_s};
   config.planner = spec.planner.name;
   config.planner_params = spec.planner.params;
-  config.budget = spec.budget;
-  config.mapping = spec.mapping;
-  config.navigation = spec.navigation;
+  config.budget = spec.flight.budget;
+  config.mapping = spec.flight.mapping;
+  config.navigation = spec.flight.navigation;
   return config;
 }
 
@@ -56,12 +56,12 @@ Flight::Flight(const TrialSpec& trial, const PlannerCatalog& planners, bool keep
     : spec(trial),
       ticks_per_scan(ticks_per_scan_of(trial)),
       model(make_model(trial.vehicle.model)),
-      regulator(make_regulator(trial.regulator, trial.vehicle, trial.loop.vehicle_period_s)),
-      range_finder(trial.range_finder),
+      regulator(make_regulator(trial.regulator, trial.vehicle, trial.flight.loop.vehicle_period_s)),
+      range_finder(trial.flight.range_finder),
       sensor_noise(derive_seed(trial.planner_seed, {"range finder"}, 0)),
       navigator(navigator_config(trial), planners),
       recorder(*trial.scenario.world, navigator, keep_scans),
-      referee(trial.scenario, trial.vehicle.body_radius_m, trial.shortest_length_m, trial.loop) {}
+      referee(trial.scenario, trial.vehicle.body_radius_m, trial.shortest_length_m, trial.flight.loop) {}
 
 VehicleState Flight::at_start() const {
   const Scenario& scenario = spec.scenario;

@@ -2,11 +2,11 @@
 
 #include <cmath>
 
-#include <ompl/util/RandomNumbers.h>
 
 #include "voronaut/benchmarks/episode/episode.h"
 #include "voronaut/benchmarks/episode/episode_trace.h"
 #include "voronaut/benchmarks/episode/metrics.h"
+#include "voronaut/benchmarks/trial/ompl_seed.h"
 
 namespace voronaut {
 
@@ -56,7 +56,7 @@ void add_times(RunRecord& record, const EpisodeLog& log) {
 
 TrialResult run_flown_trial(const TrialSpec& spec, const PlannerCatalog& planners,
                             bool keep_trace) {
-  ompl::RNG::setSeed(static_cast<std::uint_fast32_t>(spec.planner_seed % 0x7fffffffU) + 1);
+  seed_ompl(spec.planner_seed);
 
   TrialResult result{record_before_flight(spec), std::nullopt};
   Flight flight(spec, planners, keep_trace);

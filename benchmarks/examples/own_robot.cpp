@@ -21,7 +21,7 @@ NavigatorConfig corridor_robot() {
                     .cruise_height_m = 0,
                     .bounds_world = {Vec2(-1, -3), Vec2(10, 3)}};
   config.vehicle.body_radius_m = 0.2;
-  config.vehicle.clearance_min_m = 0.3;
+  config.vehicle.planning_clearance_m = 0.3;
   config.vehicle.steering = Steering::along_heading;
   config.vehicle.limits.max_speed_m_s = 1;
   config.range_finder = {.field_of_view_rad = std::numbers::pi, .period_s = 0.5};

@@ -103,8 +103,8 @@ TrialSpec reactive_trial(std::size_t steps) {
   spec.regulator_name = spec.vehicle.regulator;
   spec.regulator = find_regulator(spec.regulator_name);
   spec.planner = {"repaired", "ReactiveVoronoi", {{"preset", "repaired"}}};
-  spec.range_finder.rate_hz = 1 / kPeriod_s;
-  spec.range_finder.rays = 181;
+  spec.flight.range_finder.rate_hz = 1 / kPeriod_s;
+  spec.flight.range_finder.rays = 181;
   spec.shortest_length_m = spec.scenario.goal_world.x();
   return spec;
 }

@@ -19,9 +19,9 @@ TrialSpec governed_trial() {
   spec.regulator_name = spec.vehicle.regulator;
   spec.regulator = find_regulator(spec.regulator_name);
   spec.planner = {"VoronoiRoadmap", "VoronoiRoadmap", {}};
-  spec.range_finder.rays = 91;
-  spec.navigation.governor = spec.navigation.look_around = spec.navigation.recovery = true;
-  spec.navigation.yaw_policy = YawReference::path;
+  spec.flight.range_finder.rays = 91;
+  spec.flight.navigation.governor = spec.flight.navigation.look_around = spec.flight.navigation.recovery = true;
+  spec.flight.navigation.yaw_policy = YawReference::path;
   spec.shortest_length_m = 15;
   return spec;
 }
@@ -29,7 +29,7 @@ TrialSpec governed_trial() {
 // The navigator keeps its known-free space to itself; what bringing it up to date costs is counted
 // on a second one, which sees the same scans.
 FreeSpace free_space_of(const NavigatorConfig& config) {
-  const Vec2 rim(config.vehicle.clearance_min_m, config.vehicle.clearance_min_m);
+  const Vec2 rim(config.vehicle.planning_clearance_m, config.vehicle.planning_clearance_m);
   const Bounds& bounds = config.mission.bounds_world;
   return FreeSpace({bounds.min - rim, bounds.max + rim});
 }
@@ -65,10 +65,10 @@ class GovernedCycle : public CountedWork {
   }
 
  private:
-  double now_s() const { return static_cast<double>(tick_) * spec_.loop.vehicle_period_s; }
+  double now_s() const { return static_cast<double>(tick_) * spec_.flight.loop.vehicle_period_s; }
   void finish_step() {
     const Command command = flight_.regulator->regulate(setpoint_, state_);
-    state_ = flight_.model->step(state_, applied_, spec_.loop.vehicle_period_s);
+    state_ = flight_.model->step(state_, applied_, spec_.flight.loop.vehicle_period_s);
     applied_ = command;
     flight_.referee.hear(now_s(), flight_.navigator.report());
     ++tick_;

@@ -38,8 +38,8 @@ void closed_loop(benchmark::State& state) {
   spec.regulator_name = spec.vehicle.regulator;
   spec.regulator = find_regulator(spec.regulator_name);
   spec.planner = {"repaired", "ReactiveVoronoi", {{"preset", "repaired"}}};
-  spec.range_finder.rate_hz = 100;
-  spec.range_finder.rays = static_cast<int>(state.range(0));
+  spec.flight.range_finder.rate_hz = 100;
+  spec.flight.range_finder.rays = static_cast<int>(state.range(0));
   spec.shortest_length_m = 14.2;
 
   double steps = 0;
@@ -53,7 +53,7 @@ void closed_loop(benchmark::State& state) {
   state.counters["steps_per_flight"] = Counter(steps, Counter::kAvgIterations);
   state.counters["time_per_step"] = Counter(steps, Counter::kIsRate | Counter::kInvert);
   state.counters["real_time_factor"] =
-      Counter(steps * spec.loop.vehicle_period_s, Counter::kIsRate);
+      Counter(steps * spec.flight.loop.vehicle_period_s, Counter::kIsRate);
 }
 BENCHMARK(closed_loop)->Arg(91)->Arg(181)->Unit(benchmark::kMillisecond);
 

@@ -20,6 +20,7 @@
 #include "voronaut/benchmarks/isolation/child_process.h"
 #include "voronaut/benchmarks/static_planning/static_problem.h"
 #include "voronaut/benchmarks/static_planning/static_trial.h"
+#include "voronaut/benchmarks/trial/ompl_seed.h"
 #include "voronaut/environments/random.h"
 #include "voronaut/environments/world.h"
 
@@ -181,14 +182,14 @@ class ClockedRRTConnect : public ompl::geometric::RRTConnect {
 // What draws a seed in a trial before RRTConnect's sampler does: the planner, and the choice of
 // pivots in the nearest-neighbour structure of each of its two trees. Benchmark makes them once.
 void seed_as_a_trial(std::uint64_t planner_seed) {
-  ompl::RNG::setSeed(static_cast<std::uint_fast32_t>(planner_seed % 0x7fffffffU) + 1);
+  seed_ompl(planner_seed);
   const std::array<ompl::RNG, 3> before_the_sampler;
 }
 
 std::vector<Run> through_ompl(const TrialSpec& query, int runs, double motion_us) {
   const ChildReport child = run_in_child(
       [&] {
-        const StaticProblem problem(query.scenario, query.vehicle.clearance_min_m);
+        const StaticProblem problem(query.scenario, query.vehicle.planning_clearance_m);
         make_costly(problem.space_information(), motion_us);
         ompl::geometric::SimpleSetup setup(problem.space_information());
         setup.addStartState(ob::ScopedState<>(problem.space_information()->getStateSpace(),
@@ -220,7 +221,7 @@ TrialSpec query_of(const Circles& circles, std::size_t index) {
   spec.scenario.start_world = circles.queries[index].first;
   spec.scenario.goal_world = circles.queries[index].second;
   spec.scenario.goal_tolerance_m = 1e-3;
-  spec.vehicle.clearance_min_m = kClearance_m;
+  spec.vehicle.planning_clearance_m = kClearance_m;
   spec.planner = {"RRTConnect", "RRTConnect", {}};
   return spec;
 }

@@ -1,8 +1,9 @@
 #include "voronaut/benchmarks/results/manifest.h"
 
+#include <array>
+
 #include "voronaut/benchmarks/results/build_info.h"
 #include "voronaut/benchmarks/suite/config_json.h"
-#include "voronaut/benchmarks/trial/budget_config.h"
 #include "voronaut/benchmarks/trial/sha256.h"
 #include "voronaut/environments/scenario/scenario_spec.h"
 
@@ -51,19 +52,17 @@ Json scenario_json(const ScenarioSpec& scenario) {
           {"definition_sha256", sha256_hex(scenario.definition())}};
 }
 
-// What decides results; the rest decides how many and what is kept of them.
+// These decide how many results there are and what is kept of them, or are seen in the scenarios.
+constexpr std::array kNotDefining{"repetitions", "repeat", "data", "limits", "traces"};
+
+// What decides results.
 Json defining_json(const SuiteConfig& suite) {
-  return {{"suite", suite.name},
-          {"kind", suite.kind == TrialKind::static_planning ? "static" : "flown"},
-          {"seed", suite.seed},
-          {"scenarios", list_json(suite.scenarios, scenario_json)},
-          {"vehicles", list_json(suite.vehicles, vehicle_json)},
-          {"planners", list_json(suite.planners, planner_json)},
-          {"range_finder", config_json(suite.range_finder)},
-          {"mapping", config_json(suite.mapping)},
-          {"navigation", config_json(suite.navigation)},
-          {"loop", config_json(suite.loop)},
-          {"budget", pairs_json(budget_entries(suite.budget))}};
+  Json json = config_json(suite);
+  for (const char* key : kNotDefining) json.erase(key);
+  json["scenarios"] = list_json(suite.scenarios, scenario_json);
+  json["vehicles"] = list_json(suite.vehicles, vehicle_json);
+  json["planners"] = list_json(suite.planners, planner_json);
+  return json;
 }
 
 Json full_json(const SuiteConfig& suite) {
@@ -71,11 +70,8 @@ Json full_json(const SuiteConfig& suite) {
   for (std::size_t i = 0; i < suite.scenarios.size(); ++i)
     if (suite.scenarios[i].random())  // short then, and a report can name what a sweep goes over
       json["scenarios"][i]["definition"] = suite.scenarios[i].definition();
-  json["repetitions"] = suite.repetitions;
-  json["limits"] = config_json(suite.limits);
-  json["traces"] = suite.traces == TraceKeeping::all        ? "all"
-                   : suite.traces == TraceKeeping::failures ? "failures"
-                                                            : "none";
+  const Json all = config_json(suite);
+  for (const char* key : kNotDefining) json[key] = all.at(key);
   return json;
 }
 

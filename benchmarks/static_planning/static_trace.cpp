@@ -21,7 +21,7 @@ Trace static_trace(const TrialSpec& spec, const Path& path,
   trace.trial_id = spec.trial_id;
   trace.static_planning = true;
   trace.body_radius_m = spec.vehicle.body_radius_m;
-  trace.clearance_min_m = spec.vehicle.clearance_min_m;
+  trace.clearance_min_m = spec.vehicle.planning_clearance_m;
   trace.modes = {path.empty() ? "no path" : "along the path at 1 m/s"};
   for (const Improvement& i : improvements) {
     trace.improvements.push_back({static_cast<std::int64_t>(i.state_checks), i.time_s, i.cost});

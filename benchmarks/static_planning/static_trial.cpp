@@ -4,11 +4,11 @@
 #include <memory>
 
 #include <ompl/geometric/PathGeometric.h>
-#include <ompl/util/RandomNumbers.h>
 
 #include "voronaut/benchmarks/episode/metrics.h"
 #include "voronaut/benchmarks/static_planning/static_problem.h"
 #include "voronaut/benchmarks/static_planning/static_trace.h"
+#include "voronaut/benchmarks/trial/ompl_seed.h"
 #include "voronaut/environments/world.h"
 #include "voronaut/planners/catalog/planner_insight.h"
 #include "voronaut/planners/problem/path_conversion.h"
@@ -28,12 +28,12 @@ constexpr double kSamePlace_m = 1e-9;
 // One solve, everything made anew.
 struct StaticSolve {
   StaticSolve(const TrialSpec& spec, const PlannerCatalog& planners, bool watch)
-      : problem(spec.scenario, spec.vehicle.clearance_min_m) {
+      : problem(spec.scenario, spec.vehicle.planning_clearance_m) {
     planner = planners.find(spec.planner.name)->make(problem.space_information());
     set_parameters(*planner, spec.planner.name, spec.planner.params);
     planner->setProblemDefinition(problem.definition());
     planner->setup();
-    const BudgetMeter meter(spec.budget, [this] { return problem.state_checks(); });
+    const BudgetMeter meter(spec.flight.budget, [this] { return problem.state_checks(); });
     const auto start = std::chrono::steady_clock::now();
     report = solve_within(*planner, meter, watch ? &improvements : nullptr);
     const std::chrono::duration<double, std::micro> spent =
@@ -49,10 +49,6 @@ struct StaticSolve {
   double time_us = 0;
   std::uint64_t checks = 0;
 };
-
-void seed(std::uint64_t planner_seed) {
-  ompl::RNG::setSeed(static_cast<std::uint_fast32_t>(planner_seed % 0x7fffffffU) + 1);
-}
 
 // What is wrong with a path that claims to lead from the start to the goal, empty if nothing is.
 std::string flaw_of(const ompl::geometric::PathGeometric& path, const StaticSolve& solved,
@@ -141,10 +137,10 @@ TrialResult run_static_trial(const TrialSpec& spec, const PlannerCatalog& planne
   {
     // Untimed: the first solve of a process pays for pages and caches. Of another seed: the
     // processor predicts the branches of a search that it has just done.
-    seed(spec.planner_seed + 1);
+    seed_ompl(spec.planner_seed + 1);
     const StaticSolve warm_up(spec, planners, keep_trace);
   }
-  seed(spec.planner_seed);
+  seed_ompl(spec.planner_seed);
   StaticSolve solved(spec, planners, keep_trace);
 
   TrialResult result{record_of(spec, solved), std::nullopt};

@@ -14,7 +14,7 @@ ShortestReferences ShortestReferences::exact() {
 
 void ShortestReferences::add_to(TrialSpec& spec) {
   spec.shortest_length_m = length_m(spec, spec.vehicle.body_radius_m);
-  spec.shortest_at_clearance_m = length_m(spec, spec.vehicle.clearance_min_m);
+  spec.shortest_at_clearance_m = length_m(spec, spec.vehicle.planning_clearance_m);
 }
 
 double ShortestReferences::length_m(const TrialSpec& spec, double radius_m) {

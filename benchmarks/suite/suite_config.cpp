@@ -1,11 +1,9 @@
 #include "voronaut/benchmarks/suite/suite_config.h"
 
 #include <algorithm>
-#include <limits>
 #include <map>
 #include <stdexcept>
 
-#include "voronaut/benchmarks/trial/budget_config.h"
 #include "voronaut/environments/config/config_reader.h"
 #include "voronaut/environments/config/nearest_name.h"
 #include "voronaut/environments/scenario_files/scenario_reader.h"
@@ -13,13 +11,6 @@
 namespace voronaut {
 
 namespace {
-
-constexpr std::int64_t kLargest = std::numeric_limits<std::int64_t>::max();
-
-template <class Config>
-void read_section(const ConfigNode& root, std::string_view key, Config& config) {
-  if (const auto node = root.find(key)) read_into(*node, config);
-}
 
 // A suite's name becomes a folder.
 std::string read_name(const ConfigNode& node) {
@@ -53,22 +44,16 @@ std::vector<Item> read_list(const ConfigNode& node, const Read& read, const Name
   return items;
 }
 
-TrialKind read_kind(const ConfigNode& kind) {
-  if (kind.is_scalar() && kind.text() == "known")
-    throw kind.error("'known' is called 'static' now (allowed: flown, static)");
-  return kind.choice({"flown", "static"}) == 0 ? TrialKind::flown : TrialKind::static_planning;
-}
-
-DataLocation data_location(const ConfigNode& root, const std::string& data_argument) {
+DataLocation data_location(const ConfigNode& root, const std::string& data_argument,
+                           const std::string& named) {
   DataLocation data = DataLocation::find(data_argument);
-  const auto named = root.find("data");
-  if (data.folder.empty() && named) data = {root.beside(named->text()), "key 'data'"};
+  if (data.folder.empty() && !named.empty()) data = {root.beside(named), "key 'data'"};
   return data;
 }
 
 void read_contents(const ConfigNode& root, const std::string& data_argument,
                    const PlannerCatalog& planners, SuiteConfig& suite) {
-  const DataLocation data = data_location(root, data_argument);
+  const DataLocation data = data_location(root, data_argument, suite.data);
   suite.vehicles = read_list<VehicleEntry>(
       root.child("vehicles"),
       [](const ConfigNode& entry) { return std::vector<VehicleEntry>{read_vehicle(entry)}; },
@@ -76,7 +61,7 @@ void read_contents(const ConfigNode& root, const std::string& data_argument,
   suite.planners = read_list<PlannerSpec>(
       root.child("planners"),
       [&](const ConfigNode& entry) {
-        return std::vector<PlannerSpec>{read_planner(entry, planners, suite.navigation)};
+        return std::vector<PlannerSpec>{read_planner(entry, planners, suite.flight.navigation)};
       },
       [](const PlannerSpec& planner) { return planner.label; }, "give this one a label");
   suite.scenarios = read_list<ScenarioSpec>(
@@ -108,7 +93,8 @@ void require_able(const ConfigNode& root, const SuiteConfig& suite, const Vehicl
         if (const auto node = section ? section->find(key) : std::nullopt) return *node;
       return entries[i];
     };
-    const NavigationConfig& navigation = suite.planners[i].navigation.value_or(suite.navigation);
+    const NavigationConfig& navigation =
+        suite.planners[i].navigation.value_or(suite.flight.navigation);
     if (navigation.governor && !no_stop.empty())
       throw said_at("governor")
           .error("no governor for " + who + ": " + no_stop + " (allowed: false)");
@@ -123,26 +109,9 @@ void require_able(const ConfigNode& root, const SuiteConfig& suite, const Vehicl
 
 SuiteConfig read_suite(const ConfigNode& root, const std::string& data_argument,
                        const PlannerCatalog& planners) {
-  root.allow_only({"suite", "kind", "seed", "repetitions", "repeat", "data", "scenarios",
-                   "vehicles", "planners", "range_finder", "mapping", "navigation", "loop",
-                   "budget", "limits", "traces", "claims"});
   SuiteConfig suite;
+  read_into(root, suite);
   suite.name = read_name(root.child("suite"));
-  if (const auto kind = root.find("kind")) suite.kind = read_kind(*kind);
-  if (const auto seed = root.find("seed"))
-    suite.seed = static_cast<std::uint64_t>(seed->whole_number(0, kLargest));
-  if (const auto repetitions = root.find("repetitions"))
-    suite.repetitions = static_cast<int>(repetitions->whole_number(1, 1'000'000));
-  if (const auto repeat = root.find("repeat"))
-    suite.repeat = repeat->choice({"all", "random"}) == 0 ? Repeat::all : Repeat::random;
-  read_section(root, "range_finder", suite.range_finder);
-  read_section(root, "mapping", suite.mapping);
-  read_section(root, "navigation", suite.navigation);
-  read_section(root, "loop", suite.loop);
-  if (const auto budget = root.find("budget")) suite.budget = read_budget(*budget);
-  read_section(root, "limits", suite.limits);
-  if (const auto traces = root.find("traces"))
-    suite.traces = static_cast<TraceKeeping>(traces->choice({"all", "failures", "none"}));
   read_contents(root, data_argument, planners, suite);
   if (suite.kind == TrialKind::flown)
     for (const VehicleEntry& vehicle : suite.vehicles) require_able(root, suite, vehicle);

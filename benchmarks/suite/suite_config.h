@@ -1,16 +1,15 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <string>
 #include <vector>
 
 #include "voronaut/benchmarks/isolation/child_process.h"
 #include "voronaut/benchmarks/suite/claim.h"
-#include "voronaut/benchmarks/trial/loop_config.h"
 #include "voronaut/benchmarks/trial/trial.h"
 #include "voronaut/environments/config/config_node.h"
 #include "voronaut/environments/scenario/scenario_spec.h"
-#include "voronaut/environments/sensing/range_finder.h"
 #include "voronaut/planners/catalog/catalog.h"
 
 // A suite: scenarios x vehicles x planners x repetitions, and the rules that all of them share.
@@ -24,9 +23,9 @@ struct TrialLimits {
 
   template <class Visitor>
   void visit(Visitor& v) {
-    v.number("memory_mb", process.memory_mb, 16, 1e6);
-    v.number("cpu_s", process.cpu_s, 1, 1e6);
-    v.number("wall_s", process.wall_s, 0.1, 1e6);
+    v.number("memory_mb", process.memory_mb, 16, 1e6, "Address space that a trial may add");
+    v.number("cpu_s", process.cpu_s, 1, 1e6, "CPU time of a trial");
+    v.number("wall_s", process.wall_s, 0.1, 1e6, "Wall time of a trial");
   }
 };
 
@@ -43,37 +42,51 @@ struct SuiteConfig {
   std::uint64_t seed = 1;
   int repetitions = 1;
   Repeat repeat = Repeat::all;
+  std::string data;
   std::vector<ScenarioSpec> scenarios;  // names unique
   std::vector<VehicleEntry> vehicles;   // labels unique
   std::vector<PlannerSpec> planners;    // labels unique
-  RangeFinderConfig range_finder;
-  ObstacleBaseConfig mapping;
-  NavigationConfig navigation;
-  LoopConfig loop;
-  PlanningBudget budget;
+  FlightConfig flight;
   TrialLimits limits;
   TraceKeeping traces = TraceKeeping::all;
   std::vector<Claim> claims;
+
+  template <class Visitor>
+  void visit(Visitor& v) {
+    v.text("suite", name, "Its name: letters, digits, '-', '_' and '.'; becomes a folder");
+    v.choice("kind", kind, {{"flown", TrialKind::flown}, {"static", TrialKind::static_planning}},
+             "Discover the world while flying through it, or plan once with all of it given");
+    v.count("seed", seed, 0, std::numeric_limits<std::int64_t>::max(),
+            "What the seeds of worlds and planners are derived from");
+    v.count("repetitions", repetitions, 1, 1'000'000, "Of each scenario, vehicle and planner");
+    v.choice("repeat", repeat, {{"all", Repeat::all}, {"random", Repeat::random}},
+             "random: a scenario with one world is flown once");
+    v.text("data", data,
+           "Folder of foreign data sets, beside this file; --data and VORONAUT_DATA win");
+    v.form("scenarios", "[scenario, ...]", "What is flown");
+    v.form("vehicles", "[vehicle, ...]", "What flies");
+    v.form("planners", "[planner, ...]", "Who plans");
+    flight.visit(v);
+    v.section("limits", limits, "What the process of a trial may take");
+    v.choice("traces", traces,
+             {{"all", TraceKeeping::all},
+              {"failures", TraceKeeping::failures},
+              {"none", TraceKeeping::none}},
+             "Which flights are kept for the replay; failures: whatever did not reach the goal");
+    v.form("claims", "[claim, ...]", "What the results must show");
+  }
 };
 
-// Reads the root of a suite file:
+// Reads the root of a suite file, all keys of which stand in docs/keys.md:
 //
-//   suite: quadrotor-paper           name, required
-//   seed: 1
-//   repetitions: 1
-//   repeat: all | random             random: a scenario with one world is flown once
-//   data: folder                     beside this file; --data and VORONAUT_DATA win
+//   suite: quadrotor-paper
 //   scenarios: [...]                 entries of read_scenarios()
 //   vehicles: [quadrotor, {name: quadrotor, label: slow, params: {max_speed_m_s: 1},
 //              model: {...}, regulator: pd_rate | {name: pd_rate, params: {...}}}]
 //   planners: [RRTConnect, {name: RRTConnect, label: greedy, params: {range: 0.5},
 //              navigation: {...}}]   its own instead of the suite's, key by key
-//   range_finder, mapping, navigation, loop: {...}   keys of their Config
-//   budget: {state_checks: 50000, ptc_evaluations: 200000}   see budget_config.h
-//   limits: {memory_mb: 1024, cpu_s: 120, wall_s: 300}
-//   traces: all | failures | none
-//   kind: flown | static            static: planning alone, with the whole world given
 //   claims: [{planner: RRTConnect, outcome_share_min: 1}]   keys of Claim
+//   and the other keys of SuiteConfig
 //
 // and everything it names. A cart drives at height 0 whatever the scenario's heights; its suites
 // say `navigation: {yaw_policy: path}` and no governor. Each planner is made once, in a process of

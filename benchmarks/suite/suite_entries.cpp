@@ -6,6 +6,7 @@
 #include <ompl/base/Planner.h>
 
 #include "voronaut/benchmarks/isolation/child_process.h"
+#include "voronaut/benchmarks/suite/entry_keys.h"
 #include "voronaut/benchmarks/suite/suite_config.h"
 #include "voronaut/environments/config/config_reader.h"
 #include "voronaut/environments/config/nearest_name.h"
@@ -118,7 +119,7 @@ void require_parameters(const ConfigNode& entry, const PlannerEntry& planner,
 }  // namespace
 
 VehicleEntry read_vehicle(const ConfigNode& entry) {
-  if (entry.is_map()) entry.allow_only({"name", "label", "params", "model", "regulator"});
+  if (entry.is_map()) entry.allow_only(key_names<VehicleEntryKeys>());
   VehicleEntry read;
   read.vehicle = find_vehicle(known_name(name_node(entry), "vehicle", vehicle_names()));
   read_label(entry, read.vehicle.name);
@@ -130,14 +131,14 @@ VehicleEntry read_vehicle(const ConfigNode& entry) {
     regulator_node = entry.find("regulator");
   }
   if (regulator_node) {
-    if (regulator_node->is_map()) regulator_node->allow_only({"name", "params"});
+    if (regulator_node->is_map()) regulator_node->allow_only(key_names<RegulatorEntryKeys>());
     read.regulator_name = known_name(name_node(*regulator_node), "regulator", regulator_names());
   }
   read.regulator = find_regulator(read.regulator_name);
   if (regulator_node && regulator_node->is_map())
     read_params(*regulator_node, "params", read.regulator);
-  if (read.vehicle.clearance_min_m < read.vehicle.body_radius_m)
-    throw entry.error("clearance_min_m " + number_text(read.vehicle.clearance_min_m) +
+  if (read.vehicle.planning_clearance_m < read.vehicle.body_radius_m)
+    throw entry.error("planning_clearance_m " + number_text(read.vehicle.planning_clearance_m) +
                       " is less than body_radius_m " + number_text(read.vehicle.body_radius_m));
   at(entry, [&] { make_model(read.vehicle.model); });
   at(regulator_node.value_or(entry), [&] { stopping_law(read.regulator, read.vehicle); });
@@ -146,13 +147,13 @@ VehicleEntry read_vehicle(const ConfigNode& entry) {
 
 PlannerSpec read_planner(const ConfigNode& entry, const PlannerCatalog& planners,
                          const NavigationConfig& navigation) {
-  if (entry.is_map()) entry.allow_only({"name", "label", "params", "navigation"});
+  if (entry.is_map()) entry.allow_only(key_names<PlannerEntryKeys>());
   PlannerSpec spec;
   spec.name = planner_name(name_node(entry), planners);
   spec.label = spec.name;
   read_label(entry, spec.label);
   if (const auto own = entry.is_map() ? entry.find("navigation") : std::nullopt)
-    read_into(*own, spec.navigation.emplace(navigation));
+    read_into(*own, spec.flight.navigation.emplace(navigation));
   if (const auto params = entry.is_map() ? entry.find("params") : std::nullopt)
     for (const std::string& key : params->keys())
       spec.params[key] = parameter_text(params->child(key));

@@ -71,11 +71,8 @@ PlannedTrial SuiteTrials::trial(const VehicleEntry& vehicle, const PlannerSpec& 
   spec.regulator_name = vehicle.regulator_name;
   spec.regulator = vehicle.regulator;
   spec.planner = planner;
-  spec.range_finder = suite_.range_finder;
-  spec.mapping = suite_.mapping;
-  spec.navigation = planner.navigation.value_or(suite_.navigation);
-  spec.loop = suite_.loop;
-  spec.budget = suite_.budget;
+  spec.flight = suite_.flight;
+  if (planner.navigation) spec.flight.navigation = *planner.navigation;
   spec.repetition = static_cast<std::int64_t>(repetition);
   spec.planner_seed = derive_seed(suite_.seed, {scenario_.name, planner.label}, repetition);
   spec.trial_id = trial_id(spec);

@@ -6,13 +6,10 @@
 #include <optional>
 #include <string>
 
-#include "voronaut/benchmarks/trial/loop_config.h"
+#include "voronaut/benchmarks/trial/flight_config.h"
 #include "voronaut/dynamics/catalog.h"
 #include "voronaut/environments/scenario/scenario.h"
-#include "voronaut/environments/sensing/range_finder.h"
 #include "voronaut/planners/catalog/catalog.h"
-#include "voronaut/planners/mapping/obstacle_base.h"
-#include "voronaut/planners/navigation/navigation_config.h"
 #include "voronaut/planners/problem/problem.h"
 #include "voronaut/reports/run_record.h"
 #include "voronaut/reports/trace/trace.h"
@@ -40,11 +37,7 @@ struct TrialSpec {
   std::string regulator_name;
   RegulatorConfig regulator;
   PlannerSpec planner;
-  RangeFinderConfig range_finder;
-  ObstacleBaseConfig mapping;
-  NavigationConfig navigation;
-  LoopConfig loop;
-  PlanningBudget budget;
+  FlightConfig flight;
   std::int64_t repetition = 0;
   std::uint64_t planner_seed = 1;  // > 0, derived from (suite seed, scenario, planner, repetition)
   std::string trial_id;            // SHA-256 over the canonical text of all of the above

@@ -2,7 +2,6 @@
 
 #include <variant>
 
-#include "voronaut/benchmarks/trial/budget_config.h"
 #include "voronaut/benchmarks/trial/sha256.h"
 #include "voronaut/environments/config/config_reader.h"
 #include "voronaut/environments/world.h"
@@ -40,7 +39,6 @@ ConfigEntries task_entries(const TrialSpec& spec) {
                            {"repetition", std::to_string(spec.repetition)},
                            {"planner_seed", std::to_string(spec.planner_seed)}};
   if (spec.kind == TrialKind::static_planning) entries.emplace_back("kind", "static");
-  for (auto& entry : budget_entries(spec.budget)) entries.push_back(std::move(entry));
   return entries;
 }
 
@@ -70,8 +68,7 @@ std::string canonical_trial(const TrialSpec& spec) {
   return "trial: " + canonical_text(task_entries(spec)) + "\n" +
          "params: " + canonical_text(params) + "\n" + section("vehicle", spec.vehicle) +
          section("model", spec.vehicle.model) + section("regulator", spec.regulator) +
-         section("range_finder", spec.range_finder) + section("mapping", spec.mapping) +
-         section("navigation", spec.navigation) + section("loop", spec.loop);
+         section("flight", spec.flight);
 }
 
 std::string trial_id(const TrialSpec& spec) { return sha256_hex(canonical_trial(spec)); }

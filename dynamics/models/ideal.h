@@ -15,8 +15,9 @@ struct IdealConfig {
 
   template <class Visitor>
   void visit(Visitor& v) {
-    v.number("max_acceleration_m_s2", max_acceleration_m_s2, 0.01, 1000);
-    v.number("max_yaw_rate_rad_s", max_yaw_rate_rad_s, 0, 100);
+    v.number("max_acceleration_m_s2", max_acceleration_m_s2, 0.01, 1000,
+             "Accelerations are shortened to it");
+    v.number("max_yaw_rate_rad_s", max_yaw_rate_rad_s, 0, 100, "Yaw rates are clipped to it");
   }
 };
 

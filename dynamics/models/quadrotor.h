@@ -19,20 +19,20 @@ struct QuadrotorConfig {
 
   double mass_kg = 1;
   double arm_m = 0.24;
-  double thrust_factor_N_s2 = 53.81e-6;  // b: thrust of a rotor over its speed squared
-  double drag_factor_N_m_s2 = 1.1e-6;    // d: its reaction torque
-  double rotor_inertia_kg_m2 = 73.9e-6;  // J_TP, about the rotor's axis
+  double thrust_factor_N_s2 = 53.81e-6;
+  double drag_factor_N_m_s2 = 1.1e-6;
+  double rotor_inertia_kg_m2 = 73.9e-6;
   InertiaSet inertia = InertiaSet::corrected;
-  double inertia_xx_kg_m2 = 0.0081;  // these three for InertiaSet::custom only
+  double inertia_xx_kg_m2 = 0.0081;
   double inertia_yy_kg_m2 = 0.0081;
   double inertia_zz_kg_m2 = 0.0142;
-  double min_rotor_speed_rad_s = 64.05;   // 0.3 of hover
-  double max_rotor_speed_rad_s = 301.92;  // twice the weight
+  double min_rotor_speed_rad_s = 64.05;
+  double max_rotor_speed_rad_s = 301.92;
   double gravity_m_s2 = 9.81;
   // Not in the paper, off by default.
-  double motor_lag_s = 0;                  // time constant of a rotor's speed; 0: follows at once
-  double linear_drag_1_s = 0;              // deceleration by air per speed
-  bool rotor_acceleration_torque = false;  // yaw reaction to accelerating rotors; needs motor_lag_s
+  double motor_lag_s = 0;
+  double linear_drag_1_s = 0;
+  bool rotor_acceleration_torque = false;
 
   Vec3 inertia_kg_m2() const;
   double hover_rotor_speed_rad_s() const;  // sqrt(m g / 4 b)
@@ -41,24 +41,36 @@ struct QuadrotorConfig {
 
   template <class Visitor>
   void visit(Visitor& v) {
-    v.number("mass_kg", mass_kg, 1e-3, 1e3);
-    v.number("arm_m", arm_m, 1e-3, 10);
-    v.number("thrust_factor_N_s2", thrust_factor_N_s2, 1e-12, 1);
-    v.number("drag_factor_N_m_s2", drag_factor_N_m_s2, 0, 1);
-    v.number("rotor_inertia_kg_m2", rotor_inertia_kg_m2, 0, 1);
+    v.number("mass_kg", mass_kg, 1e-3, 1e3, "Mass of the whole vehicle");
+    v.number("arm_m", arm_m, 1e-3, 10, "l: from the centre of mass to a rotor hub");
+    v.number("thrust_factor_N_s2", thrust_factor_N_s2, 1e-12, 1,
+             "b: thrust of a rotor over its speed squared");
+    v.number("drag_factor_N_m_s2", drag_factor_N_m_s2, 0, 1,
+             "d: reaction torque of a rotor over its speed squared");
+    v.number("rotor_inertia_kg_m2", rotor_inertia_kg_m2, 0, 1, "J_TP: of a rotor about its axis");
     v.choice("inertia", inertia,
              {{"corrected", InertiaSet::corrected},
               {"printed", InertiaSet::printed},
-              {"custom", InertiaSet::custom}});
-    v.number("inertia_xx_kg_m2", inertia_xx_kg_m2, 1e-9, 1e3);
-    v.number("inertia_yy_kg_m2", inertia_yy_kg_m2, 1e-9, 1e3);
-    v.number("inertia_zz_kg_m2", inertia_zz_kg_m2, 1e-9, 1e3);
-    v.number("min_rotor_speed_rad_s", min_rotor_speed_rad_s, 0, 1e5);
-    v.number("max_rotor_speed_rad_s", max_rotor_speed_rad_s, 0, 1e5);
-    v.number("gravity_m_s2", gravity_m_s2, 0, 100);
-    v.number("motor_lag_s", motor_lag_s, 0, 10);
-    v.number("linear_drag_1_s", linear_drag_1_s, 0, 100);
-    v.flag("rotor_acceleration_torque", rotor_acceleration_torque);
+              {"custom", InertiaSet::custom}},
+             "Moments of inertia: a tenth of those that the paper prints, as printed, or the three "
+             "below");
+    v.number("inertia_xx_kg_m2", inertia_xx_kg_m2, 1e-9, 1e3,
+             "About the body's x axis, for inertia: custom");
+    v.number("inertia_yy_kg_m2", inertia_yy_kg_m2, 1e-9, 1e3,
+             "About the body's y axis, for inertia: custom");
+    v.number("inertia_zz_kg_m2", inertia_zz_kg_m2, 1e-9, 1e3,
+             "About the body's z axis, for inertia: custom");
+    v.number("min_rotor_speed_rad_s", min_rotor_speed_rad_s, 0, 1e5,
+             "Rotor speeds are clipped from below; the default is 0.3 of hover");
+    v.number("max_rotor_speed_rad_s", max_rotor_speed_rad_s, 0, 1e5,
+             "Rotor speeds are clipped from above; the default lifts twice the weight");
+    v.number("gravity_m_s2", gravity_m_s2, 0, 100, "Acceleration of free fall");
+    v.number("motor_lag_s", motor_lag_s, 0, 10,
+             "Time constant of a rotor's speed, not in the paper; 0: it follows at once");
+    v.number("linear_drag_1_s", linear_drag_1_s, 0, 100,
+             "Deceleration by air per speed, not in the paper");
+    v.flag("rotor_acceleration_torque", rotor_acceleration_torque,
+           "Accelerating rotors turn the body, not in the paper; needs motor_lag_s");
   }
 };
 

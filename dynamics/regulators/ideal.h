@@ -13,18 +13,20 @@ struct IdealRegulatorConfig {
   using Law = IdealRegulator;
   static constexpr const char* kName = "ideal";
 
-  double velocity_gain_1_s = 1.786;  // k, as kp/kd of pd_rate: the same stopping distance
-  double height_gain_1_s = 1.667;    // climb per error of height
-  double climb_gain_1_s = 5.4;       // vertical acceleration per error of climb
+  double velocity_gain_1_s = 1.786;
+  double height_gain_1_s = 1.667;
+  double climb_gain_1_s = 5.4;
   double yaw_gain_1_s = 2;
   SpeedProfileConfig profile;
 
   template <class Visitor>
   void visit(Visitor& v) {
-    v.number("velocity_gain_1_s", velocity_gain_1_s, 0.01, 50);
-    v.number("height_gain_1_s", height_gain_1_s, 0.01, 50);
-    v.number("climb_gain_1_s", climb_gain_1_s, 0.01, 50);
-    v.number("yaw_gain_1_s", yaw_gain_1_s, 0, 50);
+    v.number("velocity_gain_1_s", velocity_gain_1_s, 0.01, 50,
+             "Acceleration per error of velocity; the default stops like pd_rate");
+    v.number("height_gain_1_s", height_gain_1_s, 0.01, 50, "Climb per error of height");
+    v.number("climb_gain_1_s", climb_gain_1_s, 0.01, 50,
+             "Vertical acceleration per error of climb");
+    v.number("yaw_gain_1_s", yaw_gain_1_s, 0, 50, "Yaw rate per error of heading");
     profile.visit(v);
   }
 };

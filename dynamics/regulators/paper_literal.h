@@ -19,16 +19,18 @@ struct PaperLiteralConfig {
   double horizontal_kd = 20;
   double height_kp = 97.93;
   double height_kd = 58.76;
-  bool typo_in_eq3 = false;  // the fourth entry w_yc + w_zc as printed, without the half
+  bool typo_in_eq3 = false;
   SpeedProfileConfig profile = {.kind = SpeedProfileConfig::Kind::literal};
 
   template <class Visitor>
   void visit(Visitor& v) {
-    v.number("horizontal_kp", horizontal_kp, 0, 1e6);
-    v.number("horizontal_kd", horizontal_kd, 0, 1e6);
-    v.number("height_kp", height_kp, 0, 1e6);
-    v.number("height_kd", height_kd, 0, 1e6);
-    v.flag("typo_in_eq3", typo_in_eq3);
+    v.number("horizontal_kp", horizontal_kp, 0, 1e6,
+             "Rotor speed in rad/s per m/s of horizontal velocity");
+    v.number("horizontal_kd", horizontal_kd, 0, 1e6,
+             "Rotor speed in rad/s per m/s^2 of horizontal acceleration");
+    v.number("height_kp", height_kp, 0, 1e6, "Rotor speed in rad/s per m of height");
+    v.number("height_kd", height_kd, 0, 1e6, "Rotor speed in rad/s per m/s of climb");
+    v.flag("typo_in_eq3", typo_in_eq3, "The fourth entry w_yc + w_zc as printed, without the half");
     profile.visit(v);
   }
 };

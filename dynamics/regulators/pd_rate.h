@@ -46,17 +46,24 @@ struct PdRateConfig {
               {"corrected", Poles::corrected},
               {"printed", Poles::printed},
               {"printed_soft", Poles::printed_soft},
-              {"custom", Poles::custom}});
-    v.number("velocity_pole_rad_s", velocity_pole_rad_s, 0.01, 1000);
-    v.number("attitude_pole_rad_s", attitude_pole_rad_s, 0.01, 1000);
-    v.number("attitude_damping", attitude_damping, 0.05, 10);
-    v.number("height_pole_rad_s", height_pole_rad_s, 0.01, 1000);
-    v.number("height_damping", height_damping, 0.05, 10);
-    v.number("yaw_pole_rad_s", yaw_pole_rad_s, 0.01, 1000);
-    v.number("yaw_damping", yaw_damping, 0.05, 10);
+              {"custom", Poles::custom}},
+             "Closed-loop poles of the horizontal loops: a set, chosen by the inertia, or the "
+             "three below");
+    v.number("velocity_pole_rad_s", velocity_pole_rad_s, 0.01, 1000,
+             "wv of (s + wv)(s^2 + 2 zeta wa s + wa^2), for poles: custom");
+    v.number("attitude_pole_rad_s", attitude_pole_rad_s, 0.01, 1000,
+             "wa of the same, for poles: custom");
+    v.number("attitude_damping", attitude_damping, 0.05, 10, "zeta of the same, for poles: custom");
+    v.number("height_pole_rad_s", height_pole_rad_s, 0.01, 1000,
+             "Natural frequency of the height loop");
+    v.number("height_damping", height_damping, 0.05, 10, "Damping of the height loop");
+    v.number("yaw_pole_rad_s", yaw_pole_rad_s, 0.01, 1000, "Natural frequency of the yaw loop");
+    v.number("yaw_damping", yaw_damping, 0.05, 10, "Damping of the yaw loop");
     v.choice("acceleration", acceleration,
              {{"velocity_difference", Acceleration::velocity_difference},
-              {"attitude", Acceleration::attitude}});
+              {"attitude", Acceleration::attitude}},
+             "Where the acceleration of the D term comes from: eq. (4), which amplifies noise, or "
+             "the tilt");
     profile.visit(v);
   }
 };

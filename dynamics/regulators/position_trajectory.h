@@ -16,26 +16,33 @@ struct PositionTrajectoryConfig {
   using Law = PositionTrajectory;
   static constexpr const char* kName = "position_trajectory";
 
-  double control_point_ahead_m = 0.15;  // h; arcs must be wider: |curvature| h < 1
-  double path_stiffness_1_s2 = 2.25;    // T1 of psi'' + T2 psi' + T1 psi = 0
-  double path_damping_1_s = 3;          // T2
-  double speed_gain_1_s = 2;            // T3 of the error of speed along the path
-  double point_gain_1_s = 3;            // of the error of velocity on the way to a point
-  double approach_share = 0.6;          // of its speed, at which it goes straight at the curve
-  double turn_gain_1_s = 1.5;           // on the spot: yaw rate per error of heading
-  double turn_rate_gain_1_s = 6;        // and its derivative per error of yaw rate
+  double control_point_ahead_m = 0.15;
+  double path_stiffness_1_s2 = 2.25;
+  double path_damping_1_s = 3;
+  double speed_gain_1_s = 2;
+  double point_gain_1_s = 3;
+  double approach_share = 0.6;
+  double turn_gain_1_s = 1.5;
+  double turn_rate_gain_1_s = 6;
   SpeedProfileConfig profile = {.goal_gain_1_s = 0.8};
 
   template <class Visitor>
   void visit(Visitor& v) {
-    v.number("control_point_ahead_m", control_point_ahead_m, 0.01, 10);
-    v.number("path_stiffness_1_s2", path_stiffness_1_s2, 0.01, 1000);
-    v.number("path_damping_1_s", path_damping_1_s, 0.01, 50);
-    v.number("speed_gain_1_s", speed_gain_1_s, 0.01, 50);
-    v.number("point_gain_1_s", point_gain_1_s, 0.01, 50);
-    v.number("approach_share", approach_share, 0.01, 1);
-    v.number("turn_gain_1_s", turn_gain_1_s, 0.01, 50);
-    v.number("turn_rate_gain_1_s", turn_rate_gain_1_s, 0.01, 50);
+    v.number("control_point_ahead_m", control_point_ahead_m, 0.01, 10,
+             "h: of the axle; arcs must be wider, |curvature| h < 1");
+    v.number("path_stiffness_1_s2", path_stiffness_1_s2, 0.01, 1000,
+             "T1 of psi'' + T2 psi' + T1 psi = 0, psi the error across the path");
+    v.number("path_damping_1_s", path_damping_1_s, 0.01, 50, "T2 of the same");
+    v.number("speed_gain_1_s", speed_gain_1_s, 0.01, 50,
+             "T3: of the error of speed along the path");
+    v.number("point_gain_1_s", point_gain_1_s, 0.01, 50,
+             "Of the error of velocity on the way to a point");
+    v.number("approach_share", approach_share, 0.01, 1,
+             "Share of its speed at which it goes straight at the curve");
+    v.number("turn_gain_1_s", turn_gain_1_s, 0.01, 50,
+             "On the spot: yaw rate per error of heading");
+    v.number("turn_rate_gain_1_s", turn_rate_gain_1_s, 0.01, 50,
+             "On the spot: angular acceleration per error of yaw rate");
     profile.visit(v);
   }
 };

@@ -11,6 +11,7 @@
 
 #include "voronaut/environments/config/config_tree.h"
 #include "voronaut/environments/config/nearest_name.h"
+#include "voronaut/environments/config/renamed_keys.h"
 
 namespace voronaut {
 namespace {
@@ -136,6 +137,7 @@ std::size_t ConfigNode::choice(const std::vector<std::string>& names) const {
   if (!is_scalar()) throw expected("one of " + join_names(names));
   const auto found = std::find(names.begin(), names.end(), tree_->scalar);
   if (found != names.end()) return static_cast<std::size_t>(found - names.begin());
+  if (const std::string now = renamed_text(tree_->scalar, names); !now.empty()) throw error(now);
   const auto meant = nearest_name(tree_->scalar, names);
   throw error("expected one of " + join_names(names) + ", got " + description(*tree_) +
               (meant ? " (did you mean '" + *meant + "'?)" : ""));
@@ -190,10 +192,12 @@ ConfigNode ConfigNode::child(std::string_view key) const {
 
 void ConfigNode::allow_only(const std::vector<std::string>& allowed) const {
   if (!is_map()) throw expected("a map of keys");
-  for (const ConfigTree::Entry& entry : tree_->entries)
-    if (std::find(allowed.begin(), allowed.end(), entry.key) == allowed.end())
-      throw ConfigError(*file_, entry.line, path_of(entry.key),
-                        "unknown key" + allowed_names(entry.key, allowed));
+  for (const ConfigTree::Entry& entry : tree_->entries) {
+    if (std::find(allowed.begin(), allowed.end(), entry.key) != allowed.end()) continue;
+    const std::string now = renamed_text(entry.key, allowed);
+    throw ConfigError(*file_, entry.line, path_of(entry.key),
+                      now.empty() ? "unknown key" + allowed_names(entry.key, allowed) : now);
+  }
 }
 
 ConfigError ConfigNode::error(std::string_view problem) const {

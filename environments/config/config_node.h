@@ -59,8 +59,9 @@ class ConfigNode {
   std::vector<std::string> keys() const;
   std::optional<ConfigNode> find(std::string_view key) const;
   ConfigNode child(std::string_view key) const;
-  // Refuses a key that is not among these, naming the nearest one. Call it before the getters, so
-  // that a misspelt key is called unknown instead of the right one missing.
+  // Refuses a key that is not among these, naming the nearest one, or what an old one is called now
+  // (renamed_keys.h). Call it before the getters, so that a misspelt key is called unknown instead
+  // of the right one missing.
   void allow_only(const std::vector<std::string>& allowed) const;
 
   // For a problem that only the caller can see: throw node.error("lies outside the bounds").

@@ -52,18 +52,20 @@ enum class SphereCut { plane, columns };
 
 // How a file is read, where its format leaves that open. Each format uses some of these.
 struct ForeignOptions {
-  double cell_size_m = 0.25;                     // of a grid that has no size of its own
-  UnknownCells unknown = UnknownCells::blocked;  // what unknown cells of a map are taken for
+  double cell_size_m = 0.25;
+  UnknownCells unknown = UnknownCells::blocked;
   SphereCut cut = SphereCut::plane;
-  double height_m = 1;  // of the plane
+  double height_m = 1;
 
   template <class Visitor>
   void visit(Visitor& v) {
-    v.number("cell_size_m", cell_size_m, 0.001, 1000);
-    v.choice("unknown", unknown,
-             {{"free", UnknownCells::free}, {"blocked", UnknownCells::blocked}});
-    v.choice("cut", cut, {{"plane", SphereCut::plane}, {"columns", SphereCut::columns}});
-    v.number("height_m", height_m, 0, 100);
+    v.number("cell_size_m", cell_size_m, 0.001, 1000, "Of a grid that has no size of its own");
+    v.choice("unknown", unknown, {{"free", UnknownCells::free}, {"blocked", UnknownCells::blocked}},
+             "What unknown cells of a map are taken for");
+    v.choice(
+        "cut", cut, {{"plane", SphereCut::plane}, {"columns", SphereCut::columns}},
+        "What is taken of spheres: where they meet a plane, or all below and above it as well");
+    v.number("height_m", height_m, 0, 100, "Of that plane");
   }
 };
 

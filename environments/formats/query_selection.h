@@ -10,21 +10,23 @@ namespace voronaut {
 
 // Which of a world's queries are flown.
 struct QuerySelection {
-  int sample = 0;          // so many, drawn without replacement; 0: all
-  int seed = 1;            // of the draw
-  int bucket = -1;         // MovingAI's class of length; -1: any
-  double clearance_m = 0;  // only what a disc of this radius can fly on the true world; 0: any
-  double shortest_m = 0;   // only from this length on: the file's reference, else the straight line
-  double longest_m = 0;    // and up to this one; 0: any
+  int sample = 0;
+  int seed = 1;
+  int bucket = -1;
+  double clearance_m = 0;
+  double shortest_m = 0;
+  double longest_m = 0;
 
   template <class Visitor>
   void visit(Visitor& v) {
-    v.count("sample", sample, 0, 1'000'000);
-    v.count("seed", seed, 0, 1'000'000'000);
-    v.count("bucket", bucket, -1, 1'000'000);
-    v.number("clearance_m", clearance_m, 0, 100);
-    v.number("shortest_m", shortest_m, 0, 1e6);
-    v.number("longest_m", longest_m, 0, 1e6);
+    v.count("sample", sample, 0, 1'000'000, "So many, drawn without replacement; 0: all");
+    v.count("seed", seed, 0, 1'000'000'000, "Of the draw");
+    v.count("bucket", bucket, -1, 1'000'000, "MovingAI's class of length; -1: any");
+    v.number("clearance_m", clearance_m, 0, 100,
+             "Only what a disc of this radius can fly on the true world; 0: any");
+    v.number("shortest_m", shortest_m, 0, 1e6,
+             "Only from this length on: the file's reference, else the straight line");
+    v.number("longest_m", longest_m, 0, 1e6, "Only up to this length; 0: any");
   }
 };
 

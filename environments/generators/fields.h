@@ -9,25 +9,26 @@ enum class Crossing { corners, sides };
 
 // Trees uniform in the square [0, side_m]^2; start and goal outside it, a way around it is free.
 struct ForestConfig {
-  double density_per_m2 = 0.1;  // trees = density * side^2, rounded
+  double density_per_m2 = 0.1;
   double side_m = 20;
   double radius_min_m = 0.3;
   double radius_max_m = 0.6;
-  double gap_min_m = 0.2;  // between any two surfaces
-  double outside_m = 1;    // of start and goal from the square, in x (and y for corners)
-  double margin_m = 3;     // of the bounds from the square
+  double gap_min_m = 0.2;
+  double outside_m = 1;
+  double margin_m = 3;
   Crossing crossing = Crossing::corners;
 
   template <class Visitor>
   void visit(Visitor& v) {
-    v.number("density_per_m2", density_per_m2, 0, 1);
-    v.number("side_m", side_m, 1, 200);
-    v.number("radius_min_m", radius_min_m, 0.001, 10);
-    v.number("radius_max_m", radius_max_m, 0.001, 10);
-    v.number("gap_min_m", gap_min_m, 0, 10);
-    v.number("outside_m", outside_m, 0.5, 10);
-    v.number("margin_m", margin_m, 1, 20);
-    v.choice("crossing", crossing, {{"corners", Crossing::corners}, {"sides", Crossing::sides}});
+    v.number("density_per_m2", density_per_m2, 0, 1, "Posts per area of the field");
+    v.number("side_m", side_m, 1, 200, "Side of the square that they stand in");
+    v.number("radius_min_m", radius_min_m, 0.001, 10, "Thinnest post");
+    v.number("radius_max_m", radius_max_m, 0.001, 10, "Thickest post");
+    v.number("gap_min_m", gap_min_m, 0, 10, "Between any two surfaces");
+    v.number("outside_m", outside_m, 0.5, 10, "Of start and goal from the square");
+    v.number("margin_m", margin_m, 1, 20, "Of the bounds from the square");
+    v.choice("crossing", crossing, {{"corners", Crossing::corners}, {"sides", Crossing::sides}},
+             "From corner to corner or from side to side");
   }
 };
 
@@ -42,11 +43,11 @@ struct GridConfig {
 
   template <class Visitor>
   void visit(Visitor& v) {
-    v.number("side_m", side_m, 4, 100);
-    v.number("spacing_min_m", spacing_min_m, 0.5, 20);
-    v.number("spacing_max_m", spacing_max_m, 0.5, 20);
-    v.number("radius_min_m", radius_min_m, 0.001, 5);
-    v.number("radius_max_m", radius_max_m, 0.001, 5);
+    v.number("side_m", side_m, 4, 100, "Side of the square that they stand in");
+    v.number("spacing_min_m", spacing_min_m, 0.5, 20, "Closest lattice");
+    v.number("spacing_max_m", spacing_max_m, 0.5, 20, "Widest lattice");
+    v.number("radius_min_m", radius_min_m, 0.001, 5, "Thinnest post");
+    v.number("radius_max_m", radius_max_m, 0.001, 5, "Thickest post");
   }
 };
 
@@ -63,13 +64,14 @@ struct ThinPostsConfig {
 
   template <class Visitor>
   void visit(Visitor& v) {
-    v.number("density_per_m2", density_per_m2, 0, 1);
-    v.number("side_m", side_m, 4, 100);
-    v.number("diameter_min_m", diameter_min_m, 0.001, 1);
-    v.number("diameter_max_m", diameter_max_m, 0.001, 1);
-    v.number("gap_min_m", gap_min_m, 0, 10);
-    v.count("edge_on_walls", edge_on_walls, 0, 100);
-    v.number("wall_length_m", wall_length_m, 0.1, 10);
+    v.number("density_per_m2", density_per_m2, 0, 1, "Posts per area of the field");
+    v.number("side_m", side_m, 4, 100, "Side of the square that they stand in");
+    v.number("diameter_min_m", diameter_min_m, 0.001, 1, "Thinnest post");
+    v.number("diameter_max_m", diameter_max_m, 0.001, 1, "Thickest post");
+    v.number("gap_min_m", gap_min_m, 0, 10, "Between any two surfaces");
+    v.count("edge_on_walls", edge_on_walls, 0, 100,
+            "Walls without thickness that point at the start");
+    v.number("wall_length_m", wall_length_m, 0.1, 10, "Length of such a wall");
   }
 };
 

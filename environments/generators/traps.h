@@ -11,15 +11,16 @@ struct UTrapConfig {
   double width_max_m = 6;
   double depth_min_m = 2;
   double depth_max_m = 5;
-  double shift_max_m = 1;  // of the U's axis from the straight way, to either side
+  double shift_max_m = 1;
 
   template <class Visitor>
   void visit(Visitor& v) {
-    v.number("width_min_m", width_min_m, 1, 50);
-    v.number("width_max_m", width_max_m, 1, 50);
-    v.number("depth_min_m", depth_min_m, 0.5, 50);
-    v.number("depth_max_m", depth_max_m, 0.5, 50);
-    v.number("shift_max_m", shift_max_m, 0, 20);
+    v.number("width_min_m", width_min_m, 1, 50, "Narrowest U");
+    v.number("width_max_m", width_max_m, 1, 50, "Widest U");
+    v.number("depth_min_m", depth_min_m, 0.5, 50, "Shallowest U");
+    v.number("depth_max_m", depth_max_m, 0.5, 50, "Deepest U");
+    v.number("shift_max_m", shift_max_m, 0, 20,
+             "Of the U's axis from the straight way, to either side");
   }
 };
 
@@ -27,32 +28,32 @@ struct UTrapConfig {
 struct BugTrapConfig {
   double side_min_m = 5;
   double side_max_m = 8;
-  double door_min_m = 1.2;  // free width
+  double door_min_m = 1.2;
   double door_max_m = 1.8;
   double lip_m = 1.5;
 
   template <class Visitor>
   void visit(Visitor& v) {
-    v.number("side_min_m", side_min_m, 4, 50);
-    v.number("side_max_m", side_max_m, 4, 50);
-    v.number("door_min_m", door_min_m, 0.2, 3);
-    v.number("door_max_m", door_max_m, 0.2, 3);
-    v.number("lip_m", lip_m, 0, 3);
+    v.number("side_min_m", side_min_m, 4, 50, "Smallest room");
+    v.number("side_max_m", side_max_m, 4, 50, "Largest room");
+    v.number("door_min_m", door_min_m, 0.2, 3, "Narrowest door, free width");
+    v.number("door_max_m", door_max_m, 0.2, 3, "Widest door, free width");
+    v.number("lip_m", lip_m, 0, 3, "Length of the walls that lead inwards from the door");
   }
 };
 
 // A square spiral with the start in its heart and the goal outside; mirrored, turned by quarters
 // and the goal on any of its four sides, as drawn.
 struct SpiralConfig {
-  int arms = 7;  // straight walls
+  int arms = 7;
   double corridor_min_m = 1.6;
   double corridor_max_m = 2.2;
 
   template <class Visitor>
   void visit(Visitor& v) {
-    v.count("arms", arms, 4, 40);
-    v.number("corridor_min_m", corridor_min_m, 0.3, 10);
-    v.number("corridor_max_m", corridor_max_m, 0.3, 10);
+    v.count("arms", arms, 4, 40, "Straight walls");
+    v.number("corridor_min_m", corridor_min_m, 0.3, 10, "Narrowest corridor");
+    v.number("corridor_max_m", corridor_max_m, 0.3, 10, "Widest corridor");
   }
 };
 
@@ -66,11 +67,11 @@ struct EnclosedGoalConfig {
 
   template <class Visitor>
   void visit(Visitor& v) {
-    v.number("distance_m", distance_m, 6, 100);
-    v.count("corners_min", corners_min, 3, 50);
-    v.count("corners_max", corners_max, 3, 50);
-    v.number("ring_radius_min_m", ring_radius_min_m, 1, 5);
-    v.number("ring_radius_max_m", ring_radius_max_m, 1, 5);
+    v.number("distance_m", distance_m, 6, 100, "From start to goal");
+    v.count("corners_min", corners_min, 3, 50, "Fewest corners of the ring");
+    v.count("corners_max", corners_max, 3, 50, "Most corners of the ring");
+    v.number("ring_radius_min_m", ring_radius_min_m, 1, 5, "Smallest ring");
+    v.number("ring_radius_max_m", ring_radius_max_m, 1, 5, "Largest ring");
   }
 };
 

@@ -54,14 +54,16 @@ void require_ordered_ranges(const ConfigNode& node, const ConfigEntries& entries
 struct WorldGenerator::Family {
   std::string name;
   std::function<WorldGenerator(const ConfigNode*)> make;  // null: with the defaults
+  std::vector<KeyFact> keys;
 };
 
 template <class Config>
 WorldGenerator::Family WorldGenerator::family(std::string name, const Config& defaults,
                                               double admission_clearance_m) {
-  const auto make = [name, defaults, admission_clearance_m](const ConfigNode* node) {
-    GeneratorConfig<Config> config{defaults, {}};
-    config.admission.admission_clearance_m = admission_clearance_m;
+  GeneratorConfig<Config> own{defaults, {}};
+  own.admission.admission_clearance_m = admission_clearance_m;
+  const auto make = [name, own](const ConfigNode* node) {
+    GeneratorConfig<Config> config = own;
     if (node != nullptr) {
       read_into(*node, config, {"name"});
       require_ordered_ranges(*node, config_entries(config));
@@ -75,7 +77,7 @@ WorldGenerator::Family WorldGenerator::family(std::string name, const Config& de
     if (node != nullptr) generator.place_ = *node;
     return generator;
   };
-  return {name, make};
+  return {name, make, key_facts(own)};
 }
 
 const std::vector<WorldGenerator::Family>& WorldGenerator::families() {
@@ -111,8 +113,14 @@ WorldGenerator WorldGenerator::read(const ConfigNode& node) {
 }
 
 WorldGenerator WorldGenerator::named(std::string_view name) {
+  return family_named(name).make(nullptr);
+}
+
+std::vector<KeyFact> WorldGenerator::keys(std::string_view name) { return family_named(name).keys; }
+
+const WorldGenerator::Family& WorldGenerator::family_named(std::string_view name) {
   for (const Family& family : families())
-    if (family.name == name) return family.make(nullptr);
+    if (family.name == name) return family;
   throw std::invalid_argument("no generator " + in_quotes(name) + allowed_names(name, names()));
 }
 

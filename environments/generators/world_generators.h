@@ -9,6 +9,7 @@
 
 #include "voronaut/environments/config/config_node.h"
 #include "voronaut/environments/config/config_reader.h"
+#include "voronaut/environments/config/key_facts.h"
 #include "voronaut/environments/generators/generated_world.h"
 
 // The families of random worlds by name. Each has its Config in generators/.
@@ -22,8 +23,9 @@ struct AdmissionConfig {
 
   template <class Visitor>
   void visit(Visitor& v) {
-    v.number("admission_clearance_m", admission_clearance_m, 0, 10);
-    v.count("draws_max", draws_max, 1, 100'000);
+    v.number("admission_clearance_m", admission_clearance_m, 0, 10,
+             "A disc of this radius must have a path from start to goal; 0 admits every draw");
+    v.count("draws_max", draws_max, 1, 100'000, "So many draws without an admissible world: none");
   }
 };
 
@@ -35,6 +37,8 @@ class WorldGenerator {
   static WorldGenerator read(const ConfigNode& node);
   // A family with its defaults. Throws std::invalid_argument for a name that there is not.
   static WorldGenerator named(std::string_view name);
+  // What can be said of a family, with its defaults. Throws the same.
+  static std::vector<KeyFact> keys(std::string_view name);
 
   const std::string& name() const { return name_; }
   // The name and every parameter.
@@ -50,6 +54,7 @@ class WorldGenerator {
  private:
   struct Family;
   static const std::vector<Family>& families();
+  static const Family& family_named(std::string_view name);
   template <class Config>
   static Family family(std::string name, const Config& defaults, double admission_clearance_m);
 

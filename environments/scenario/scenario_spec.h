@@ -30,11 +30,14 @@ struct TaskConfig {
 
   template <class Visitor>
   void visit(Visitor& v) {
-    v.text("name", name);
-    v.text("group", group);
-    v.number("start_height_m", start_height_m, 0, 100);
-    v.number("cruise_height_m", cruise_height_m, 0, 100);
-    v.number("goal_tolerance_m", goal_tolerance_m, 0.01, 10);
+    v.text("name", name,
+           "Of the scenario; a file's is called like the file, a generator's like its family");
+    v.text("group", group, "What is reported together; nothing: the name");
+    v.number("start_height_m", start_height_m, 0, 100, "Height at which it starts");
+    v.number("cruise_height_m", cruise_height_m, 0, 100,
+             "Height at which it flies; wheeled vehicles drive at 0");
+    v.number("goal_tolerance_m", goal_tolerance_m, 0.01, 10,
+             "An arrival is closer to the goal than this");
   }
 };
 

@@ -8,6 +8,7 @@
 #include "voronaut/environments/config/nearest_name.h"
 #include "voronaut/environments/formats/data_sets.h"
 #include "voronaut/environments/formats/foreign_formats.h"
+#include "voronaut/environments/scenario_keys.h"
 #include "voronaut/environments/world.h"
 
 namespace voronaut {
@@ -18,12 +19,6 @@ using Keys = std::vector<std::string>;
 Keys joined(Keys keys, const Keys& more) {
   keys.insert(keys.end(), more.begin(), more.end());
   return keys;
-}
-
-template <class Config>
-void read_present(const ConfigNode& entry, Config& config) {
-  ConfigReader reader(entry);
-  config.visit(reader);
 }
 
 std::shared_ptr<const World> world_of(ForeignWorld& read, const ConfigNode& entry) {
@@ -41,7 +36,7 @@ std::vector<ForeignQuery> selected_queries(const ConfigNode& node, const std::st
                                            const ForeignWorld& read, const World& world) {
   if (!node.is_map()) return read_queries(existing_file(node), world_path, read);
   QuerySelection selection;
-  read_into(node, selection, {"file", "pick"});
+  read_into(node, selection, key_names<QueryFileKeys>());
   const auto all = read_queries(existing_file(node.child("file")), world_path, read);
   const auto pick = node.find("pick");
   if (!pick) {
@@ -76,12 +71,10 @@ ScenarioSpecs read_world_file_entry(const ConfigNode& entry, const DataLocation&
   const auto name = entry.find("format");
   if (name) name->choice(foreign_format_names());
   const ForeignFormat& format = foreign_format(name ? name->text() : "", path);
-  TaskConfig task = read_task(
-      entry, stem(path),
-      joined({"world_file", "format", "bounds", "start", "goal", "queries", "start_heading_rad"},
-             format.options));
+  TaskConfig task =
+      read_task(entry, stem(path), joined(key_names<WorldFileKeys>(), format.options));
   ForeignOptions options = format.defaults;
-  read_present(entry, options);
+  read_present_keys(entry, keys_of(options));
   ForeignWorld read = format.read(path, options);
   const auto world = world_of(read, entry);
   const auto queries = entry.find("queries");
@@ -103,17 +96,17 @@ ScenarioSpecs read_data_set_entry(const ConfigNode& entry, const DataLocation& d
   const ConfigNode place = entry.child("dataset");
   const std::string set = data_set_names()[place.choice(data_set_names())];
   const DataSetTraits traits = data_set_traits(set);
-  TaskConfig task =
-      read_task(entry, set, joined({"dataset", "limit", "pick", "queries"}, traits.options));
+  TaskConfig task = read_task(entry, set, joined(key_names<DataSetKeys>(), traits.options));
   if (const auto name = entry.find("name"))
     throw name->error("the worlds of a data set have names of their own; use group");
   DataSetSelection selection;
   selection.queries = traits.queries;
-  read_present(entry, selection.options);
+  read_present_keys(entry, keys_of(selection.options));
   if (const auto queries = entry.find("queries")) read_into(*queries, selection.queries);
   if (const auto pick = entry.find("pick")) selection.pick = pick->texts();
-  if (const auto limit = entry.find("limit"))
-    selection.limit = static_cast<int>(limit->whole_number(1, 1'000'000));
+  DataSetKeys own;
+  read_present_keys(entry, keys_of(own));
+  selection.limit = own.limit;
   for (const char* key : {"limit", "queries"})
     if (const auto given = entry.find(key); given && entry.find("pick"))
       throw given->error("cannot stand beside 'pick'");

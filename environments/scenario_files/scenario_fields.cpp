@@ -1,11 +1,13 @@
 #include "voronaut/environments/scenario_files/scenario_fields.h"
 
+#include <cmath>
 #include <filesystem>
 #include <string_view>
 
 #include "voronaut/environments/config/config_reader.h"
 #include "voronaut/environments/config/nearest_name.h"
 #include "voronaut/environments/formats/csv_table.h"
+#include "voronaut/environments/scenario_keys.h"
 
 namespace voronaut {
 namespace {
@@ -47,8 +49,10 @@ TaskConfig read_task(const ConfigNode& entry, const std::string& default_name,
 }
 
 std::optional<double> read_heading(const ConfigNode& entry) {
-  const auto heading = entry.find("start_heading_rad");
-  return heading ? std::optional(heading->number(-10, 10)) : std::nullopt;
+  HeadingConfig heading;
+  read_present_keys(entry, keys_of(heading));
+  if (std::isnan(heading.start_heading_rad)) return std::nullopt;
+  return heading.start_heading_rad;
 }
 
 std::string existing_file(const ConfigNode& node) {

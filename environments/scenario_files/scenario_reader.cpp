@@ -3,10 +3,12 @@
 #include <stdexcept>
 #include <utility>
 
+#include "voronaut/environments/config/config_reader.h"
 #include "voronaut/environments/config/nearest_name.h"
 #include "voronaut/environments/formats/csv_table.h"
 #include "voronaut/environments/scenario_files/foreign_scenarios.h"
 #include "voronaut/environments/scenario_files/scenario_fields.h"
+#include "voronaut/environments/scenario_keys.h"
 #include "voronaut/environments/world.h"
 
 namespace voronaut {
@@ -50,7 +52,7 @@ Segment read_segment(const ConfigNode& node) {
 }
 
 Shapes read_shapes(const ConfigNode& world) {
-  world.allow_only({"circles", "boxes", "polygons", "segments"});
+  world.allow_only(key_names<ShapeKeys>());
   Shapes shapes;
   if (const auto list = world.find("circles"))
     for (const ConfigNode& item : list->items()) shapes.circles.push_back(read_circle(item));
@@ -70,8 +72,7 @@ std::string default_name(const ConfigNode& entry) {
 
 ScenarioSpecs read_world_entry(const ConfigNode& entry, const DataLocation&) {
   const ConfigNode place = entry.child("world");
-  const TaskConfig task = read_task(entry, default_name(entry),
-                                    {"world", "bounds", "start", "goal", "start_heading_rad"});
+  const TaskConfig task = read_task(entry, default_name(entry), key_names<WorldKeys>());
   Shapes shapes = read_shapes(place);
   const Bounds bounds = read_bounds(entry.child("bounds"));
   const auto world = std::make_shared<const World>(bounds, std::move(shapes));
@@ -82,12 +83,12 @@ ScenarioSpecs read_world_entry(const ConfigNode& entry, const DataLocation&) {
 ScenarioSpecs read_generator_entry(const ConfigNode& entry, const DataLocation&) {
   entry.child("generator").child("name");
   WorldGenerator generator = WorldGenerator::read(entry.child("generator"));
-  const TaskConfig task = read_task(entry, generator.name(), {"generator", "start_heading_rad"});
+  const TaskConfig task = read_task(entry, generator.name(), key_names<GeneratorKeys>());
   return {ScenarioSpec::generated(task, std::move(generator), read_heading(entry))};
 }
 
 ScenarioSpecs read_scenario_file_entry(const ConfigNode& entry, const DataLocation& data) {
-  entry.allow_only({"file"});
+  entry.allow_only(key_names<ScenarioFileKeys>());
   const ConfigNode file = entry.child("file");
   if (entry.path().empty()) throw file.error("a scenario file cannot name another one");
   return read_scenarios(ConfigNode::read_file(existing_file(file)), data);

@@ -13,13 +13,15 @@ namespace {
 
 // Holds a config against the bounds of its own visit list.
 struct BoundsCheck {
-  void number(const char* name, double value, double low, double high) {
+  void number(const char* name, double value, double low, double high, const char*) {
     if (value >= low && value <= high) return;
     std::ostringstream text;
     text << name << " = " << value << " is not in [" << low << ", " << high << "]";
     throw std::invalid_argument(text.str());
   }
-  void count(const char* name, int value, int low, int high) { number(name, value, low, high); }
+  void count(const char* name, int value, int low, int high, const char* sentence) {
+    number(name, value, low, high, sentence);
+  }
 };
 
 RangeFinderConfig checked(RangeFinderConfig config) {

@@ -10,21 +10,24 @@
 namespace voronaut {
 
 struct RangeFinderConfig {
-  double field_of_view_rad = std::numbers::pi / 2;  // centred on the heading
+  double field_of_view_rad = std::numbers::pi / 2;
   double max_range_m = 2.5;
   int rays = 91;
   double rate_hz = 20;
-  double noise_sigma_m = 0;        // Gaussian, on returns only
-  double dropout_probability = 0;  // of each beam, in each scan
+  double noise_sigma_m = 0;
+  double dropout_probability = 0;
 
   template <class Visitor>
   void visit(Visitor& v) {
-    v.number("field_of_view_rad", field_of_view_rad, 0, 2 * std::numbers::pi);
-    v.number("max_range_m", max_range_m, 0.01, 10'000);
-    v.count("rays", rays, 1, 100'000);
-    v.number("rate_hz", rate_hz, 0.01, 10'000);
-    v.number("noise_sigma_m", noise_sigma_m, 0, 100);
-    v.number("dropout_probability", dropout_probability, 0, 1);
+    v.number("field_of_view_rad", field_of_view_rad, 0, 2 * std::numbers::pi,
+             "Centred on the heading");
+    v.number("max_range_m", max_range_m, 0.01, 10'000, "How far a beam sees");
+    v.count("rays", rays, 1, 100'000, "Beams of a scan");
+    v.number("rate_hz", rate_hz, 0.01, 10'000, "Scans per time");
+    v.number("noise_sigma_m", noise_sigma_m, 0, 100,
+             "Standard deviation of Gaussian noise on returns");
+    v.number("dropout_probability", dropout_probability, 0, 1,
+             "Of each beam in each scan to measure nothing");
   }
 };
 

@@ -1,13 +1,12 @@
 #include <algorithm>
 #include <array>
-#include <numeric>
 #include <stdexcept>
-#include <utility>
 #include <vector>
 
 #include <ompl/util/Console.h>
 #include <ompl/util/Exception.h>
 
+#include "voronaut/environments/config/nearest_name.h"
 #include "voronaut/planners/catalog/catalog.h"
 #include "voronaut/planners/catalog/parameter_range.h"
 
@@ -22,34 +21,13 @@ constexpr const char* kNeighbors = "max_nearest_neighbors";
 // A preset sets all others; the range of OMPL's LazyPRM takes the number of neighbours back.
 constexpr std::array kFirst{"preset", kRange};
 
-// Levenshtein's edit distance, one row at a time.
-std::size_t edit_distance(const std::string& a, const std::string& b) {
-  std::vector<std::size_t> row(b.size() + 1);
-  std::iota(row.begin(), row.end(), std::size_t{0});
-  for (std::size_t i = 0; i < a.size(); ++i) {
-    std::size_t diagonal = std::exchange(row[0], i + 1);
-    for (std::size_t j = 0; j < b.size(); ++j) {
-      const std::size_t substituted = diagonal + (a[i] == b[j] ? 0 : 1);
-      diagonal = row[j + 1];
-      row[j + 1] = std::min({substituted, row[j] + 1, row[j + 1] + 1});
-    }
-  }
-  return row.back();
-}
-
-std::string nearest(const std::string& name, const std::vector<std::string>& known) {
-  const auto closer = [&](const std::string& a, const std::string& b) {
-    return edit_distance(name, a) < edit_distance(name, b);
-  };
-  return *std::min_element(known.begin(), known.end(), closer);
-}
-
 std::string unknown_parameter(const ob::Planner& planner, const std::string& name) {
   std::vector<std::string> known;
   planner.params().getParamNames(known);
   std::string message = " has no parameter '" + name + "'";
   if (known.empty()) return message + "; it has none";
-  message += "; did you mean '" + nearest(name, known) + "'? It has:";
+  const auto meant = nearest_name(name, known);
+  message += meant ? "; did you mean '" + *meant + "'? It has:" : "; it has:";
   for (const std::string& each : known) message += " " + each;
   return message;
 }

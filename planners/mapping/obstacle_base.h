@@ -20,15 +20,19 @@
 namespace voronaut {
 
 struct ObstacleBaseConfig {
-  double link_distance_m = 0.5;       // returns of one scan closer than this are one cluster
-  double thinning_distance_m = 0.08;  // the papers' delta: no two kept points are closer
-  double merge_distance_m = 0.8;      // what the vehicle cannot pass: 2 x clearance_min_m
+  double link_distance_m = 0.5;
+  double thinning_distance_m = 0.08;
+  double merge_distance_m = 0.8;
 
   template <class Visitor>
   void visit(Visitor& v) {
-    v.number("link_distance_m", link_distance_m, 0.01, 100);
-    v.number("thinning_distance_m", thinning_distance_m, 0.001, 10);
-    v.number("merge_distance_m", merge_distance_m, 0, 100);
+    v.number("link_distance_m", link_distance_m, 0.01, 100,
+             "Returns of one scan closer than this are one cluster");
+    v.number("thinning_distance_m", thinning_distance_m, 0.001, 10,
+             "The papers' delta: no two kept points are closer");
+    v.number(
+        "merge_distance_m", merge_distance_m, 0, 100,
+        "Clusters closer than this are one: what the vehicle cannot pass, 2 planning_clearance_m");
   }
 };
 

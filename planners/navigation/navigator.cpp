@@ -22,13 +22,13 @@ Bounds planning_bounds(const Mission& mission) {
 // What a body within the bounds may touch.
 Bounds reachable_bounds(const NavigatorConfig& config) {
   const Bounds& bounds = config.mission.bounds_world;
-  const Vec2 rim(config.vehicle.clearance_min_m, config.vehicle.clearance_min_m);
+  const Vec2 rim(config.vehicle.planning_clearance_m, config.vehicle.planning_clearance_m);
   return {bounds.min - rim, bounds.max + rim};
 }
 
 ProblemConfig problem_config(const NavigatorConfig& config) {
   return {planning_bounds(config.mission), config.mission.goal_world,
-          config.mission.goal_tolerance_m, config.vehicle.clearance_min_m};
+          config.mission.goal_tolerance_m, config.vehicle.planning_clearance_m};
 }
 
 const PlannerEntry& planner_entry(const NavigatorConfig& config, const PlannerCatalog& planners) {
@@ -52,7 +52,7 @@ std::optional<SafetyGovernor> governor_of(const NavigatorConfig& config) {
     throw std::invalid_argument("a governor needs the vehicle's velocity response");
   if (vehicle.steering != Steering::any_direction)
     throw std::invalid_argument("a governor is for vehicles that move in any direction");
-  return SafetyGovernor(*vehicle.velocity_response, vehicle.body_radius_m, vehicle.clearance_min_m,
+  return SafetyGovernor(*vehicle.velocity_response, vehicle.body_radius_m, vehicle.planning_clearance_m,
                         config.range_finder.period_s);
 }
 
@@ -90,7 +90,7 @@ Navigator::Navigator(const NavigatorConfig& config, const PlannerCatalog& planne
       look_around_(config.range_finder.field_of_view_rad),
       recovery_(config.navigation.stall_timeout_s),
       braking_{config.vehicle.velocity_gain_1_s, config.vehicle.deceleration_m_s2,
-               config.vehicle.clearance_min_m},
+               config.vehicle.planning_clearance_m},
       governor_(governor_of(config)) {
   if (governor_) free_space_.mark_disc(config.mission.start_world, config.vehicle.body_radius_m);
 }

@@ -6,14 +6,14 @@ namespace voronaut {
 // The known point that is closer to p than planners plan.
 std::optional<Vec2> Navigator::nearest_obstacle_within_clearance(const Vec2& p_world) const {
   const ObstacleSnapshot known = map_.snapshot();
-  const auto nearest = known.nearest(p_world, config_.vehicle.clearance_min_m);
+  const auto nearest = known.nearest(p_world, config_.vehicle.planning_clearance_m);
   return nearest ? std::optional(known.points()[*nearest]) : std::nullopt;
 }
 
 // An unknown place as close as that, for which the governor refused.
 std::optional<Vec2> Navigator::nearest_unknown_within_clearance(const Vec2& p_world) const {
   const bool near =
-      refused_at_ && (*refused_at_ - p_world).norm() < config_.vehicle.clearance_min_m;
+      refused_at_ && (*refused_at_ - p_world).norm() < config_.vehicle.planning_clearance_m;
   return near ? refused_at_ : std::nullopt;
 }
 

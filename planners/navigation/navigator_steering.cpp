@@ -68,7 +68,7 @@ LookaheadPoint Navigator::lookahead(const VehicleState& state, double now_s, Set
         yaw_policy_.yaw_rate_rad_s(setpoint.heading_world, state.heading_world());
     tracker_.advance(p);
     return tracker_.lookahead(p, state.v_world.head<2>().norm(), belief_.obstacles,
-                              config_.vehicle.clearance_min_m);
+                              config_.vehicle.planning_clearance_m);
   }
   if (departed) report_.executive = ExecutiveState::without_path;
   return here;
@@ -81,7 +81,7 @@ Vec2 Navigator::repulsive_heading(const Vec2& towards, const Vec2& p_world) cons
   const Vec2 from_nearest = p_world - *nearest;
   const double distance_m = from_nearest.norm();
   if (distance_m == 0) return towards;
-  const double repulsion = std::min(kRepulsionMax, (config_.vehicle.clearance_min_m - distance_m) /
+  const double repulsion = std::min(kRepulsionMax, (config_.vehicle.planning_clearance_m - distance_m) /
                                                        SafetyGovernor::kKnownMargin_m);
   const Vec2 blended = towards + (repulsion / distance_m) * from_nearest;
   return blended.norm() > kNoDirection ? Vec2(blended.normalized())

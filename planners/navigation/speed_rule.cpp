@@ -44,7 +44,7 @@ double speed_limit_m_s(SpeedRule rule, const Belief& belief, const Eigen::Vector
   if (!in_view(*belief.scan, towards)) return std::min(max_speed_m_s, kBlindSpeed_m_s);
   // The disc swept has the clearance already, so the whole free way may be used for stopping; one
   // blind step of kBlindSpeed_m_s is always allowed, or a vehicle beside a wall never leaves it.
-  const double way_m = free_way_m(belief, towards, braking.clearance_min_m);
+  const double way_m = free_way_m(belief, towards, braking.clearance_m);
   const double safe_m_s =
       kMargin * safe_speed_m_s(way_m, 0, reaction_time_s, braking.velocity_gain_1_s,
                                braking.deceleration_m_s2);

@@ -12,18 +12,22 @@ namespace voronaut {
 // Lengths are in the units of the state space, metres elsewhere.
 struct DescentConfig {
   double step_m = 0.05;
-  double smallest_step_m = 0.001;  // no lower potential within so much: a local minimum
-  int stall_steps = 400;           // so many steps without coming closer to the goal: the same
-  int sensing_rays = 90;           // about a plain validity checker, over the full circle
+  double smallest_step_m = 0.001;
+  int stall_steps = 400;
+  int sensing_rays = 90;
   double ray_resolution_m = 0.05;
 
   template <class Visitor>
   void visit(Visitor& v) {
-    v.number("step_m", step_m, 1e-5, 100);
-    v.number("smallest_step_m", smallest_step_m, 1e-9, 100);
-    v.count("stall_steps", stall_steps, 1, 1'000'000);
-    v.count("sensing_rays", sensing_rays, 3, 100'000);
-    v.number("ray_resolution_m", ray_resolution_m, 1e-5, 100);
+    v.number("step_m", step_m, 1e-5, 100, "Length of a step downhill");
+    v.number("smallest_step_m", smallest_step_m, 1e-9, 100,
+             "No lower potential within so much: a local minimum");
+    v.count("stall_steps", stall_steps, 1, 1'000'000,
+            "So many steps without coming closer to the goal: the same");
+    v.count("sensing_rays", sensing_rays, 3, 100'000,
+            "About a plain validity checker: rays over the full circle");
+    v.number("ray_resolution_m", ray_resolution_m, 1e-5, 100,
+             "About a plain validity checker: between two states that a ray asks for");
   }
 };
 

@@ -11,17 +11,20 @@ namespace voronaut {
 // Gains of a vehicle of unit mass. With these the push of one obstacle balances the pull of a
 // distant goal 0.655 m before it.
 struct PotentialConfig {
-  double attraction_gain = 1;          // k_p [N/m]
-  double attraction_saturation_m = 1;  // a goal farther than this pulls no harder: the speed limit
-  double repulsion_gain = 0.5;         // eta [N m^3]
-  double influence_distance_m = 1.5;   // rho_0: what is farther does not push
+  double attraction_gain = 1;
+  double attraction_saturation_m = 1;
+  double repulsion_gain = 0.5;
+  double influence_distance_m = 1.5;
 
   template <class Visitor>
   void visit(Visitor& v) {
-    v.number("attraction_gain", attraction_gain, 1e-6, 1e6);
-    v.number("attraction_saturation_m", attraction_saturation_m, 1e-3, 1e6);
-    v.number("repulsion_gain", repulsion_gain, 0, 1e6);
-    v.number("influence_distance_m", influence_distance_m, 1e-3, 1e4);
+    v.number("attraction_gain", attraction_gain, 1e-6, 1e6,
+             "k_p in N/m: pull of the goal per distance");
+    v.number("attraction_saturation_m", attraction_saturation_m, 1e-3, 1e6,
+             "A goal farther than this pulls no harder");
+    v.number("repulsion_gain", repulsion_gain, 0, 1e6, "eta in N m^3: push of obstacles");
+    v.number("influence_distance_m", influence_distance_m, 1e-3, 1e4,
+             "rho_0: what is farther does not push");
   }
 };
 

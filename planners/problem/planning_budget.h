@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <string_view>
@@ -22,11 +23,34 @@ struct PlanningBudget {
   enum class Stop { first, budget };
 
   Counts counts = Counts::state_checks;
-  std::uint64_t state_checks = 50'000;      // states and motions put to the checker
-  std::uint64_t ptc_evaluations = 200'000;  // cap for planners that stop checking but not searching
+  std::uint64_t state_checks = 50'000;
+  std::uint64_t ptc_evaluations = 200'000;
   std::uint64_t iterations = 10'000;
   double wall_clock_s = 0.1;
   Stop stop = Stop::budget;
+
+  template <class Visitor>
+  void visit(Visitor& v) {
+    constexpr std::int64_t kLargest = std::numeric_limits<std::int64_t>::max();
+    v.alternatives(counts, {{Counts::state_checks, {"state_checks", "ptc_evaluations"}},
+                            {Counts::iterations, {"iterations"}},
+                            {Counts::wall_clock, {"wall_clock_s"}}});
+    const auto named = [&](Counts group) { return v.all_groups() || counts == group; };
+    if (named(Counts::state_checks)) {
+      v.count("state_checks", state_checks, 1, kLargest,
+              "States and motions that a solve may put to the checker");
+      v.count("ptc_evaluations", ptc_evaluations, 1, kLargest,
+              "Cap for planners that stop checking but not searching");
+    }
+    if (named(Counts::iterations))
+      v.count("iterations", iterations, 1, kLargest,
+              "Evaluations of the termination condition instead of state checks");
+    if (named(Counts::wall_clock))
+      v.number("wall_clock_s", wall_clock_s, 1e-6, 1e6,
+               "Wall clock instead of state checks: results do not repeat");
+    v.choice("stop", stop, {{"first", Stop::first}, {"budget", Stop::budget}},
+             "Anytime planners: at the first solution, or when the budget is spent");
+  }
 };
 
 enum class SolveEnd {

@@ -11,22 +11,26 @@ namespace voronaut {
 
 // Lengths are in the units of the state space, metres elsewhere.
 struct MissionConfig {
-  double sensing_range_m = 2.5;  // the papers' locator
+  double sensing_range_m = 2.5;
   double sensing_field_of_view_rad =
       1.570796326794897;  // +-45 deg about the first line to the goal
   int sensing_rays = 91;
-  double ray_resolution_m = 0.05;  // of rays marched through a plain validity checker
-  double step_m = 0.1;             // travelled between two scans
-  int stall_steps = 300;           // so many steps without coming closer to the goal: stuck
+  double ray_resolution_m = 0.05;
+  double step_m = 0.1;
+  int stall_steps = 300;
 
   template <class Visitor>
   void visit(Visitor& v) {
-    v.number("sensing_range_m", sensing_range_m, 1e-3, 1e4);
-    v.number("sensing_field_of_view_rad", sensing_field_of_view_rad, 0.01, 6.283185307179586);
-    v.count("sensing_rays", sensing_rays, 2, 100'000);
-    v.number("ray_resolution_m", ray_resolution_m, 1e-5, 100);
-    v.number("step_m", step_m, 1e-5, 100);
-    v.count("stall_steps", stall_steps, 1, 1'000'000);
+    v.number("sensing_range_m", sensing_range_m, 1e-3, 1e4,
+             "On a static problem: the papers' range finder");
+    v.number("sensing_field_of_view_rad", sensing_field_of_view_rad, 0.01, 6.283185307179586,
+             "The same, about the first line to the goal");
+    v.count("sensing_rays", sensing_rays, 2, 100'000, "The same");
+    v.number("ray_resolution_m", ray_resolution_m, 1e-5, 100,
+             "Between two states that a ray asks a plain validity checker for");
+    v.number("step_m", step_m, 1e-5, 100, "Travelled between two scans");
+    v.count("stall_steps", stall_steps, 1, 1'000'000,
+            "So many steps without coming closer to the goal: stuck");
   }
 };
 

@@ -33,9 +33,9 @@ ReactiveVoronoi::ReactiveVoronoi(const ob::SpaceInformationPtr& si)
   ParameterDeclaration declaration(params_);
   config_.visit(declaration);
   mission_config_.visit(declaration);
-  params_.declareParam<std::string>(
-      "preset", [this](const std::string& name) { set_preset(name); }, [this] { return preset(); });
-  params_["preset"].setRangeSuggestion("as_published,repaired");
+  declaration.declare<std::string>(
+      "preset", [this](const std::string& name) { set_preset(name); }, [this] { return preset(); },
+      "as_published,repaired", "All choices of the papers, or all repairs, before single ones");
 }
 
 void ReactiveVoronoi::set_preset(const std::string& name) {

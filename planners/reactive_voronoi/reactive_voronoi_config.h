@@ -44,8 +44,8 @@ struct ReactiveVoronoiConfig {
     avoided,  // the end is unseen: the other side is taken if it is not cut too
   };
 
-  double safety_margin_m = 0.5;         // the papers' gamma, indicator of safety
-  double corridor_half_width_m = 0.75;  // 1.5 gamma
+  double safety_margin_m = 0.5;
+  double corridor_half_width_m = 0.75;
   Offset offset = Offset::axis;
   Extremes extremes = Extremes::stored_order;
   Relevance relevance = Relevance::in_sight;
@@ -53,7 +53,7 @@ struct ReactiveVoronoiConfig {
   Passed passed = Passed::counted;
   Pairing pairing = Pairing::closest;
   CutEdges cut_edges = CutEdges::trusted;
-  bool side_hysteresis = false;  // keep to the side once chosen, as long as the obstacle matters
+  bool side_hysteresis = false;
 
   static ReactiveVoronoiConfig as_published() { return {}; }
   static ReactiveVoronoiConfig repaired() {
@@ -70,21 +70,33 @@ struct ReactiveVoronoiConfig {
 
   template <class Visitor>
   void visit(Visitor& v) {
-    v.number("safety_margin_m", safety_margin_m, 0.01, 10);
-    v.number("corridor_half_width_m", corridor_half_width_m, 0.01, 100);
-    v.choice("offset", offset, {{"axis", Offset::axis}, {"line_of_sight", Offset::line_of_sight}});
+    v.number("safety_margin_m", safety_margin_m, 0.01, 10,
+             "The papers' gamma: how far from an obstacle's edge a subgoal lies");
+    v.number("corridor_half_width_m", corridor_half_width_m, 0.01, 100,
+             "Half width of the corridor of relevance and pairing");
+    v.choice("offset", offset, {{"axis", Offset::axis}, {"line_of_sight", Offset::line_of_sight}},
+             "Which way the increment of an extreme point goes: as printed, or across the line of "
+             "sight");
     v.choice(
         "extremes", extremes,
-        {{"stored_order", Extremes::stored_order}, {"bearing_order", Extremes::bearing_order}});
+        {{"stored_order", Extremes::stored_order}, {"bearing_order", Extremes::bearing_order}},
+        "What the first and last point of an obstacle are: as stored, or by bearing from here");
     v.choice("relevance", relevance,
-             {{"in_sight", Relevance::in_sight}, {"goal_corridor", Relevance::goal_corridor}});
-    v.choice("source", source, {{"scan", Source::scan}, {"map", Source::map}});
-    v.choice("passed", passed, {{"counted", Passed::counted}, {"dropped", Passed::dropped}});
+             {{"in_sight", Relevance::in_sight}, {"goal_corridor", Relevance::goal_corridor}},
+             "Which obstacles switch the mode: any in sight, or those in the corridor to the goal");
+    v.choice("source", source, {{"scan", Source::scan}, {"map", Source::map}},
+             "Which points of an obstacle count: those of the latest scan, or all known ones");
+    v.choice("passed", passed, {{"counted", Passed::counted}, {"dropped", Passed::dropped}},
+             "What becomes of points beside and behind the vehicle");
     v.choice("pairing", pairing,
-             {{"closest", Pairing::closest}, {"across_way", Pairing::across_way}});
+             {{"closest", Pairing::closest}, {"across_way", Pairing::across_way}},
+             "Between which two of several obstacles it goes: the closest, or one on either side "
+             "of the way");
     v.choice("cut_edges", cut_edges,
-             {{"trusted", CutEdges::trusted}, {"avoided", CutEdges::avoided}});
-    v.flag("side_hysteresis", side_hysteresis);
+             {{"trusted", CutEdges::trusted}, {"avoided", CutEdges::avoided}},
+             "What an extreme point at the edge of the field of view is worth");
+    v.flag("side_hysteresis", side_hysteresis,
+           "Keep to the side once chosen, as long as the obstacle matters");
   }
 };
 

@@ -19,17 +19,23 @@ struct VoronoiRoadmapConfig {
   // along the longer side of the bounds, refined by doubling up to the second number.
   int boundary_cells = 64;
   int boundary_cells_max = 512;
-  int goals_max = 16;  // goals drawn from a goal region that has more than one
+  int goals_max = 16;
 
   template <class Visitor>
   void visit(Visitor& v) {
     v.choice("shortening", shortening,
              {{"none", Shortening::none},
               {"shortcut", Shortening::shortcut},
-              {"channel", Shortening::channel}});
-    v.count("boundary_cells", boundary_cells, 4, 4096);
-    v.count("boundary_cells_max", boundary_cells_max, 4, 4096);
-    v.count("goals_max", goals_max, 1, 1000);
+              {"channel", Shortening::channel}},
+             "How routes along the diagram are made short: not, by cutting corners, or in the dual "
+             "triangulation");
+    v.count("boundary_cells", boundary_cells, 4, 4096,
+            "Without exact geometry: cells along the bounds' longer side, to sample the border of "
+            "the valid states");
+    v.count("boundary_cells_max", boundary_cells_max, 4, 4096,
+            "Up to which boundary_cells is refined by doubling");
+    v.count("goals_max", goals_max, 1, 1000,
+            "Goals drawn from a goal region that has more than one");
   }
 };
 

@@ -30,7 +30,7 @@ TEST(Catalog, MakesEveryVehicleWithItsRegulator) {
   for (const std::string& name : vehicle_names()) {
     const VehicleSpec spec = find_vehicle(name);
     EXPECT_EQ(spec.name, name);
-    EXPECT_GT(spec.clearance_min_m, spec.body_radius_m);
+    EXPECT_GT(spec.planning_clearance_m, spec.body_radius_m);
     EXPECT_NE(make_model(spec.model), nullptr);
     EXPECT_NE(make_regulator(find_regulator(spec.regulator), spec, kPeriod_s), nullptr);
     EXPECT_GT(stopping_law(find_regulator(spec.regulator), spec).a_m_s2, 0);
@@ -39,10 +39,10 @@ TEST(Catalog, MakesEveryVehicleWithItsRegulator) {
 
 TEST(Catalog, KnowsTheBodies) {
   EXPECT_EQ(find_vehicle("quadrotor").body_radius_m, 0.25);
-  EXPECT_EQ(find_vehicle("quadrotor").clearance_min_m, 0.40);
+  EXPECT_EQ(find_vehicle("quadrotor").planning_clearance_m, 0.40);
   EXPECT_EQ(find_vehicle("quadrotor").limits.max_speed_m_s, 2.5);
   EXPECT_EQ(find_vehicle("quadrotor_props").body_radius_m, 0.39);
-  EXPECT_EQ(find_vehicle("quadrotor_props").clearance_min_m, 0.5);
+  EXPECT_EQ(find_vehicle("quadrotor_props").planning_clearance_m, 0.5);
   EXPECT_EQ(find_vehicle("ideal").body_radius_m, 0.25);
   EXPECT_EQ(find_vehicle("cart").body_radius_m, 0.22);
   EXPECT_EQ(find_vehicle("cart").limits.max_speed_m_s, 1.25);
@@ -101,23 +101,25 @@ TEST(Catalog, GivesTheStoppingLawOfTheGainsAndTheTilt) {
 struct DefaultsAreInBounds {
   std::set<std::string> keys;
 
-  void fresh(const std::string& key) { EXPECT_TRUE(keys.insert(key).second) << key; }
-  void number(const char* key, double& value, double low, double high) {
-    fresh(key);
+  void fresh(const std::string& key, const std::string& sentence) {
+    EXPECT_TRUE(keys.insert(key).second) << key;
+    EXPECT_FALSE(sentence.empty()) << key;
+  }
+  void number(const char* key, double& value, double low, double high, const char* sentence) {
+    fresh(key, sentence);
     EXPECT_GE(value, low) << key;
     EXPECT_LE(value, high) << key;
   }
-  void count(const char* key, int& value, int low, int high) {
-    fresh(key);
+  void count(const char* key, int& value, int low, int high, const char* sentence) {
+    fresh(key, sentence);
     EXPECT_GE(value, low) << key;
     EXPECT_LE(value, high) << key;
   }
-  void flag(const char* key, bool&) { fresh(key); }
-  void text(const char* key, std::string&) { fresh(key); }
+  void flag(const char* key, bool&, const char* sentence) { fresh(key, sentence); }
   template <class Enum>
   void choice(const char* key, Enum& value,
-              std::initializer_list<std::pair<const char*, Enum>> choices) {
-    fresh(key);
+              std::initializer_list<std::pair<const char*, Enum>> choices, const char* sentence) {
+    fresh(key, sentence);
     bool known = false;
     for (const auto& [name, choice] : choices) known = known || choice == value;
     EXPECT_TRUE(known) << key;

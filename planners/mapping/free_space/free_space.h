@@ -14,7 +14,7 @@ struct FreeSpaceConfig {
 
   template <class Visitor>
   void visit(Visitor& v) {
-    v.number("cell_m", cell_m, 0.01, 1);
+    v.number("cell_m", cell_m, 0.01, 1, "Side of a cell");
   }
 };
 

@@ -69,7 +69,7 @@ TEST(CartDrive, BacksOffByTurningRoundAndDrivingAway) {
   planners.add({"Clueless", "never finds anything", {}, [](const auto& si) {
                   return std::make_shared<Clueless>(si);
                 }});
-  spec.loop.stuck_after_s = 6;  // 1.5 s until it is a stall, 4 s for backing off
+  spec.flight.loop.stuck_after_s = 6;  // 1.5 s until it is a stall, 4 s for backing off
   Flight flight(spec, planners, false);
   const EpisodeLog log = fly(flight);
   EXPECT_EQ(log.verdict.outcome, Outcome::stuck);
@@ -82,7 +82,7 @@ TEST(CartDrive, BacksOffByTurningRoundAndDrivingAway) {
 
 TEST(CartDrive, IsNotGoverned) {
   TrialSpec spec = cart_trial("generator: {name: u_trap}", "recovery: true");
-  spec.navigation.governor = true;  // what no suite can ask for
+  spec.flight.navigation.governor = true;  // what no suite can ask for
   EXPECT_THROW(Flight(spec, PlannerCatalog::built_in(), false), std::invalid_argument);
 }
 

@@ -66,7 +66,7 @@ TEST(Episode, PlansOnceWhereNothingIsInTheWayAndOnEveryScanIfReactive) {
 TEST(Episode, TheSameTrialIsTheSameFlightBitForBit) {
   TrialSpec spec = trial(around({{Vec2(4, 0.2), 0.5}}, Vec2(8, 0)), "quadrotor", "ReactiveVoronoi",
                          {{"preset", "repaired"}});
-  spec.range_finder.noise_sigma_m = 0.02;
+  spec.flight.range_finder.noise_sigma_m = 0.02;
   const RunRecord first = run_trial(spec, planners(), false).record;
   const RunRecord again = run_trial(spec, planners(), true).record;
   EXPECT_EQ(first.state_digest, again.state_digest);
@@ -109,7 +109,7 @@ TEST(Episode, ATraceHasAFrameForEveryScanAndTheEnd) {
 
 TEST(Episode, ATraceNamesWhatEndedEachSolve) {
   TrialSpec spec = trial(around({{Vec2(4, 0.2), 0.5}}, Vec2(8, 0)), "quadrotor", "RRTstar");
-  spec.budget.state_checks = 300;
+  spec.flight.budget.state_checks = 300;
   const TrialResult result = run_trial(spec, planners(), true);
   ASSERT_TRUE(result.trace);
   std::map<std::string, std::int64_t> solves;
@@ -125,10 +125,10 @@ TEST(Episode, ATraceOfAGovernedFlightTellsWhatGovernorAndPlannerThought) {
   TrialSpec spec =
       trial(around({{Vec2(4, 0.2), 0.5}, {Vec2(4.4, -1), 0.5}, {Vec2(7, 0), 0.4}}, Vec2(9, 0)),
             "quadrotor", "RRTConnect");
-  spec.range_finder.max_range_m = 2.5;
-  spec.navigation.governor = true;
-  spec.navigation.look_around = true;
-  spec.navigation.yaw_policy = YawReference::path;
+  spec.flight.range_finder.max_range_m = 2.5;
+  spec.flight.navigation.governor = true;
+  spec.flight.navigation.look_around = true;
+  spec.flight.navigation.yaw_policy = YawReference::path;
   Flight flight(spec, planners(), true);
   const EpisodeLog log = fly(flight);
   const Trace trace = trace_of(spec, log, flight.navigator.known());

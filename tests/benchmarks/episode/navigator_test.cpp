@@ -22,21 +22,21 @@ TrialSpec among_posts(const std::string& planner, std::map<std::string, std::str
   spec.regulator_name = spec.vehicle.regulator;
   spec.regulator = find_regulator(spec.regulator_name);
   spec.planner = {planner, planner, std::move(params)};
-  spec.range_finder.noise_sigma_m = 0.005;
+  spec.flight.range_finder.noise_sigma_m = 0.005;
   spec.shortest_length_m = 11;
   return spec;
 }
 
 TrialSpec governed() {
   TrialSpec spec = among_posts("VoronoiRoadmap");
-  spec.navigation.governor = spec.navigation.look_around = spec.navigation.recovery = true;
-  spec.navigation.yaw_policy = YawReference::path;
+  spec.flight.navigation.governor = spec.flight.navigation.look_around = spec.flight.navigation.recovery = true;
+  spec.flight.navigation.yaw_policy = YawReference::path;
   return spec;
 }
 
 TrialSpec reactive() {
   TrialSpec spec = among_posts("ReactiveVoronoi", {{"preset", "repaired"}});
-  spec.navigation.speed_rule = SpeedRule::stopping_distance;
+  spec.flight.navigation.speed_rule = SpeedRule::stopping_distance;
   return spec;
 }
 

@@ -27,7 +27,7 @@ TrialSpec beside_a_box(const Vec2& goal) {
   spec.regulator_name = spec.vehicle.regulator;
   spec.regulator = find_regulator(spec.regulator_name);
   spec.planner = {"VoronoiRoadmap", "VoronoiRoadmap", {}};
-  spec.navigation.recovery = true;
+  spec.flight.navigation.recovery = true;
   spec.shortest_length_m = 10;
   return spec;
 }
@@ -76,7 +76,7 @@ TEST(Retracing, LeadsOutOfAPocketFromWhichNoPathExists) {
 
 TEST(Retracing, IsNotTriedAndNoVerdictGivenWhereRecoveryIsOff) {
   TrialSpec spec = beside_a_box(Vec2(8, 0));
-  spec.navigation.recovery = false;
+  spec.flight.navigation.recovery = false;
   Shown shown(spec);
   EXPECT_TRUE(fly_into(shown));
   EXPECT_TRUE(shown.path().empty());

@@ -21,7 +21,7 @@ TrialSpec in_the_open(const std::string& vehicle_name, double vehicle_period_s) 
   spec.regulator_name = spec.vehicle.regulator;
   spec.regulator = find_regulator(spec.regulator_name);
   spec.planner = {"VoronoiRoadmap", "VoronoiRoadmap", {}};
-  spec.loop.vehicle_period_s = vehicle_period_s;
+  spec.flight.loop.vehicle_period_s = vehicle_period_s;
   spec.shortest_length_m = 8;
   return spec;
 }

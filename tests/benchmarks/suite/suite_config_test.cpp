@@ -34,11 +34,7 @@ std::vector<std::string> planner_names() {
   return names;
 }
 
-std::vector<std::string> navigation_keys() {
-  ConfigKeys keys;
-  NavigationConfig().visit(keys);
-  return keys.names;
-}
+std::vector<std::string> navigation_keys() { return key_names<NavigationConfig>(); }
 
 // A suite that is right but for the part that is replaced.
 std::string suite_with(const std::string& key, const std::string& value) {
@@ -66,29 +62,30 @@ TEST(SuiteConfig, FillsInEveryDefault) {
   EXPECT_EQ(suite.vehicles[0].regulator_name, "pd_rate");
   ASSERT_EQ(suite.planners.size(), 1U);
   EXPECT_EQ(suite.planners[0].label, "RRTConnect");
-  EXPECT_EQ(suite.range_finder.rays, 91);
-  EXPECT_EQ(suite.budget.state_checks, 50'000U);
+  EXPECT_EQ(suite.flight.range_finder.rays, 91);
+  EXPECT_EQ(suite.flight.budget.state_checks, 50'000U);
   EXPECT_EQ(suite.limits.process.memory_mb, 1024);
   EXPECT_EQ(suite.traces, TraceKeeping::all);
 }
 
 TEST(SuiteConfig, ReadsEverySection) {
   const SuiteConfig suite = read(
-      suite_with("vehicles",
-                 "[{name: ideal, label: small, params: {body_radius_m: 0.2, clearance_min_m: 0.3},"
-                 " model: {max_acceleration_m_s2: 2}, regulator: {name: ideal, params: {}}}]") +
+      suite_with(
+          "vehicles",
+          "[{name: ideal, label: small, params: {body_radius_m: 0.2, planning_clearance_m: 0.3},"
+          " model: {max_acceleration_m_s2: 2}, regulator: {name: ideal, params: {}}}]") +
       "range_finder: {rays: 5}\nmapping: {merge_distance_m: 0.6}\nnavigation: {yaw_policy: path}\n"
       "loop: {goal_hold_s: 2}\nbudget: {state_checks: 7, ptc_evaluations: 8}\n"
       "limits: {cpu_s: 3}\ntraces: none\nkind: flown\nrepetitions: 4\n");
   EXPECT_EQ(suite.vehicles[0].vehicle.name, "small");
   EXPECT_EQ(suite.vehicles[0].vehicle.body_radius_m, 0.2);
   EXPECT_EQ(std::get<IdealConfig>(suite.vehicles[0].vehicle.model).max_acceleration_m_s2, 2);
-  EXPECT_EQ(suite.range_finder.rays, 5);
-  EXPECT_EQ(suite.mapping.merge_distance_m, 0.6);
-  EXPECT_EQ(suite.navigation.yaw_policy, YawReference::path);
-  EXPECT_EQ(suite.loop.goal_hold_s, 2);
-  EXPECT_EQ(suite.budget.state_checks, 7U);
-  EXPECT_EQ(suite.budget.ptc_evaluations, 8U);
+  EXPECT_EQ(suite.flight.range_finder.rays, 5);
+  EXPECT_EQ(suite.flight.mapping.merge_distance_m, 0.6);
+  EXPECT_EQ(suite.flight.navigation.yaw_policy, YawReference::path);
+  EXPECT_EQ(suite.flight.loop.goal_hold_s, 2);
+  EXPECT_EQ(suite.flight.budget.state_checks, 7U);
+  EXPECT_EQ(suite.flight.budget.ptc_evaluations, 8U);
   EXPECT_EQ(suite.limits.process.cpu_s, 3);
   EXPECT_EQ(suite.traces, TraceKeeping::none);
   EXPECT_EQ(suite.repetitions, 4);
@@ -124,7 +121,7 @@ TEST(SuiteConfig, PassesFlagsToPlannersAsTheyWantThem) {
 TEST(SuiteConfig, ReadsEachWayToCountABudget) {
   using Counts = PlanningBudget::Counts;
   const auto budget = [](const std::string& text) {
-    return read(suite_with("budget", text)).budget;
+    return read(suite_with("budget", text)).flight.budget;
   };
   EXPECT_EQ(budget("{stop: first}").counts, Counts::state_checks);
   EXPECT_EQ(budget("{stop: first}").stop, PlanningBudget::Stop::first);
@@ -134,7 +131,7 @@ TEST(SuiteConfig, ReadsEachWayToCountABudget) {
   EXPECT_EQ(budget("{wall_clock_s: 0.5}").counts, Counts::wall_clock);
   EXPECT_EQ(budget("{wall_clock_s: 0.5}").wall_clock_s, 0.5);
   EXPECT_EQ(error_of(suite_with("budget", "{state_checks: 5, wall_clock_s: 1}")),
-            "s.yaml:5: key 'budget.wall_clock_s': cannot count beside state_checks (allowed: "
+            "s.yaml:5: key 'budget.wall_clock_s': cannot stand beside state_checks (allowed: "
             "state_checks with ptc_evaluations, or iterations, or wall_clock_s)");
   EXPECT_EQ(error_of(suite_with("budget", "{stop: last}")),
             "s.yaml:5: key 'budget.stop': expected one of first, budget, got 'last'");
@@ -203,8 +200,8 @@ TEST(SuiteConfig, SaysInOneLineWhatIsWrong) {
       {suite_with("vehicles", "[{name: quadrotor, params: {body_radius_m: -1}}]"),
        "s.yaml:3: key 'vehicles[0].params.body_radius_m': expected a number from 0.001 to 10, got "
        "'-1'"},
-      {suite_with("vehicles", "[{name: quadrotor, params: {clearance_min_m: 0.2}}]"),
-       "s.yaml:3: key 'vehicles[0]': clearance_min_m 0.2 is less than body_radius_m 0.25"},
+      {suite_with("vehicles", "[{name: quadrotor, params: {planning_clearance_m: 0.2}}]"),
+       "s.yaml:3: key 'vehicles[0]': planning_clearance_m 0.2 is less than body_radius_m 0.25"},
       {suite_with("vehicles", "[{name: quadrotor, regulator: ideal}]"),
        "s.yaml:3: key 'vehicles[0].regulator': regulator 'ideal' drives the model ideal, which "
        "vehicle 'quadrotor' is not"},

@@ -78,11 +78,11 @@ TEST(SuiteTrials, HaveOtherIdsWhenAnythingThatDefinesThemChanges) {
   expect_new("label", [](SuiteConfig& s) { s.planners[0].label = "z"; });
   expect_new("planner", [](SuiteConfig& s) { s.planners[0].name = "RRT"; });
   expect_new("params", [](SuiteConfig& s) { s.planners[0].params["range"] = "1"; });
-  expect_new("range finder", [](SuiteConfig& s) { s.range_finder.rays = 90; });
-  expect_new("mapping", [](SuiteConfig& s) { s.mapping.merge_distance_m = 0.7; });
-  expect_new("navigation", [](SuiteConfig& s) { s.navigation.off_path_m = 0.6; });
-  expect_new("loop", [](SuiteConfig& s) { s.loop.goal_hold_s = 2; });
-  expect_new("budget", [](SuiteConfig& s) { s.budget.state_checks = 5; });
+  expect_new("range finder", [](SuiteConfig& s) { s.flight.range_finder.rays = 90; });
+  expect_new("mapping", [](SuiteConfig& s) { s.flight.mapping.merge_distance_m = 0.7; });
+  expect_new("navigation", [](SuiteConfig& s) { s.flight.navigation.off_path_m = 0.6; });
+  expect_new("loop", [](SuiteConfig& s) { s.flight.loop.goal_hold_s = 2; });
+  expect_new("budget", [](SuiteConfig& s) { s.flight.budget.state_checks = 5; });
   SuiteConfig harmless = base;
   harmless.limits.process.wall_s = 99;
   harmless.traces = TraceKeeping::none;
@@ -106,7 +106,7 @@ TEST(TrialId, IsTheHashOfATextThatSaysEverything) {
                  "0.7071067811865475;goal_tolerance_m=0.2;vehicle=quadrotor;regulator=pd_"
                  "rate;planner=a;planner_name=RRTConnect;repetition=0;planner_seed="
                  "4417673679995516535;state_checks=50000;ptc_evaluations=200000;stop=budget;\n"
-                 "params: \nvehicle: body_radius_m=0.25;clearance_min_m=0.4;"));
+                 "params: \nvehicle: body_radius_m=0.25;planning_clearance_m=0.4;"));
   for (const char* section :
        {"model", "regulator", "range_finder", "mapping", "navigation", "loop"})
     EXPECT_THAT(text, HasSubstr("\n" + std::string(section) + ": "));

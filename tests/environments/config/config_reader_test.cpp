@@ -19,11 +19,12 @@ struct SampleConfig {
 
   template <class Visitor>
   void visit(Visitor& v) {
-    v.number("max_range_m", max_range_m, 0.1, 100.0);
-    v.count("rays", rays, 1, 100'000);
-    v.flag("clockwise", clockwise);
-    v.text("label", label);
-    v.choice("profile", profile, {{"sqrt", Profile::sqrt}, {"paper", Profile::paper}});
+    v.number("max_range_m", max_range_m, 0.1, 100.0, "How far a beam sees");
+    v.count("rays", rays, 1, 100'000, "Beams of a scan");
+    v.flag("clockwise", clockwise, "Which way they turn");
+    v.text("label", label, "What reports call it");
+    v.choice("profile", profile, {{"sqrt", Profile::sqrt}, {"paper", Profile::paper}},
+             "How it slows down");
   }
 };
 

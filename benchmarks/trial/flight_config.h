@@ -1,0 +1,30 @@
+#pragma once
+
+#include "voronaut/benchmarks/trial/loop_config.h"
+#include "voronaut/environments/sensing/range_finder.h"
+#include "voronaut/planners/mapping/obstacle_base.h"
+#include "voronaut/planners/navigation/navigation_config.h"
+#include "voronaut/planners/problem/planning_budget.h"
+
+namespace voronaut {
+
+// How a trial is flown, whoever plans and whatever flies: the sections that a suite sets for all
+// of its trials. A new section is one member and one line.
+struct FlightConfig {
+  RangeFinderConfig range_finder;
+  ObstacleBaseConfig mapping;
+  NavigationConfig navigation;
+  LoopConfig loop;
+  PlanningBudget budget;
+
+  template <class Visitor>
+  void visit(Visitor& v) {
+    v.section("range_finder", range_finder, "What the vehicle sees by");
+    v.section("mapping", mapping, "How returns become obstacles");
+    v.section("navigation", navigation, "The executive's policies; a planner may have its own");
+    v.section("loop", loop, "Clocks and verdicts, in simulated time");
+    v.section("budget", budget, "What one solve may spend");
+  }
+};
+
+}  // namespace voronaut
