@@ -82,11 +82,11 @@ FileKeys file_keys(const PlannerCatalog& planners) {
   keys.planner = key_facts(PlannerEntryKeys{});
   keys.claim = key_facts(Claim{});
   for (const std::string& name : vehicle_names()) {
-    keys.vehicle_params.push_back({name, key_facts(vehicle(name))});
-    keys.vehicle_models.push_back({name, facts_of(vehicle(name).model)});
+    keys.vehicle_params.push_back({name, key_facts(find_vehicle(name))});
+    keys.vehicle_models.push_back({name, facts_of find_vehicle(name).model)});
   }
   for (const std::string& name : regulator_names())
-    keys.regulators.push_back({name, facts_of(regulator(name))});
+    keys.regulators.push_back({name, facts_of(find_regulator(name))});
   for (const PlannerEntry* entry : planners.entries())
     keys.planners.push_back({entry->name, parameters_of(*entry)});
   add_scenario_keys(keys);
