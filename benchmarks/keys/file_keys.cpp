@@ -83,7 +83,7 @@ FileKeys file_keys(const PlannerCatalog& planners) {
   keys.claim = key_facts(Claim{});
   for (const std::string& name : vehicle_names()) {
     keys.vehicle_params.push_back({name, key_facts(find_vehicle(name))});
-    keys.vehicle_models.push_back({name, facts_of find_vehicle(name).model)});
+    keys.vehicle_models.push_back({name, facts_of(find_vehicle(name).model)});
   }
   for (const std::string& name : regulator_names())
     keys.regulators.push_back({name, facts_of(find_regulator(name))});
