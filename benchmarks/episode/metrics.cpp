@@ -16,7 +16,7 @@ double path_length_m(std::span<const Tick> ticks) {
   return length_m;
 }
 
-double clearance_min_m(std::span<const Tick> ticks) {
+double clearance_smallest_m(std::span<const Tick> ticks) {
   if (ticks.empty()) return kAbsent;
   return std::ranges::min(ticks, {}, &Tick::clearance_m).clearance_m;
 }
@@ -52,14 +52,6 @@ double spl(bool success, double shortest_m, double flown_m) {
 double mean(std::span<const double> samples) {
   if (samples.empty()) return kAbsent;
   return std::accumulate(samples.begin(), samples.end(), 0.0) / static_cast<double>(samples.size());
-}
-
-double percentile(std::vector<double> samples, double percent) {
-  if (samples.empty()) return kAbsent;
-  const double rank = std::ceil(percent / 100 * static_cast<double>(samples.size()));
-  const auto nth = samples.begin() + static_cast<std::ptrdiff_t>(std::max(rank, 1.0)) - 1;
-  std::nth_element(samples.begin(), nth, samples.end());
-  return *nth;
 }
 
 std::string state_digest(std::span<const Tick> ticks) {

@@ -1,7 +1,7 @@
 #pragma once
 
 #include <span>
-#include <vector>
+#include <string>
 
 #include "voronaut/benchmarks/episode/episode_log.h"
 
@@ -13,7 +13,7 @@ namespace voronaut {
 double path_length_m(std::span<const Tick> ticks);
 
 // Smallest and mean clearance of the centre to the true surface [m]; NaN for no ticks.
-double clearance_min_m(std::span<const Tick> ticks);
+double clearance_smallest_m(std::span<const Tick> ticks);
 double clearance_mean_m(std::span<const Tick> ticks);
 
 // Speed in the plane over the ticks from departure_s on [m/s]: mean = length / time.
@@ -25,8 +25,6 @@ double speed_max_m_s(std::span<const Tick> ticks);
 double spl(bool success, double shortest_m, double flown_m);
 
 double mean(std::span<const double> samples);
-// Nearest-rank percentile, 0 < percent <= 100; NaN for no samples.
-double percentile(std::vector<double> samples, double percent);
 
 // 64-bit FNV-1a over the bits of every state, as 16 hexadecimal digits: two flights with the same
 // digest are the same flight.

@@ -111,7 +111,7 @@ SuiteConfig read_suite(const ConfigNode& root, const std::string& data_argument,
                        const PlannerCatalog& planners) {
   root.allow_only({"suite", "kind", "seed", "repetitions", "repeat", "data", "scenarios",
                    "vehicles", "planners", "range_finder", "mapping", "navigation", "loop",
-                   "budget", "limits", "traces", "claims"});
+                   "budget", "limits", "traces", "acceptance"});
   SuiteConfig suite;
   suite.name = read_name(root.child("suite"));
   if (const auto kind = root.find("kind"))
@@ -132,9 +132,9 @@ SuiteConfig read_suite(const ConfigNode& root, const std::string& data_argument,
     suite.traces = static_cast<TraceKeeping>(traces->choice({"all", "failures", "none"}));
   read_contents(root, data_argument, planners, suite);
   require_drivable(root, suite);
-  if (const auto claims = root.find("claims"))
-    for (const ConfigNode& entry : claims->items())
-      suite.claims.push_back(read_claim(entry, suite));
+  if (const auto acceptance = root.find("acceptance"))
+    for (const ConfigNode& entry : acceptance->items())
+      suite.acceptance.push_back(read_criterion(entry, suite));
   return suite;
 }
 

@@ -6,7 +6,7 @@
 
 #include "voronaut/benchmarks/episode/loop_config.h"
 #include "voronaut/benchmarks/runner/child_process.h"
-#include "voronaut/benchmarks/suite/claim.h"
+#include "voronaut/benchmarks/suite/acceptance_criterion.h"
 #include "voronaut/benchmarks/suite/trial.h"
 #include "voronaut/environments/config/config_node.h"
 #include "voronaut/environments/scenario.h"
@@ -53,7 +53,7 @@ struct SuiteConfig {
   PlanningBudget budget;
   TrialLimits limits;
   TraceKeeping traces = TraceKeeping::all;
-  std::vector<Claim> claims;
+  std::vector<AcceptanceCriterion> acceptance;
 };
 
 // Reads the root of a suite file:
@@ -73,7 +73,7 @@ struct SuiteConfig {
 //   limits: {memory_mb: 1024, cpu_s: 120, wall_s: 300}
 //   traces: all | failures | none
 //   kind: flown | known             known: static planning with the whole world given
-//   claims: [{planner: RRTConnect, outcome_share_min: 1}]   keys of Claim
+//   acceptance: [{planner: RRTConnect, goal_reached_share_min: 1}]   see acceptance_criterion.h
 //
 // and everything it names. A cart drives at height 0 whatever the scenario's heights; its suites
 // say `navigation: {gaze: path}` and no governor. Each planner is made once, in a process of its
@@ -86,8 +86,8 @@ SuiteConfig read_suite(const ConfigNode& root, const std::string& data_argument,
 VehicleEntry read_vehicle(const ConfigNode& entry);
 PlannerSpec read_planner(const ConfigNode& entry, const PlannerCatalog& planners,
                          const NavigationConfig& navigation);
-// One entry of `claims`; what it is about must be in the suite.
-Claim read_claim(const ConfigNode& entry, const SuiteConfig& suite);
+// One entry of `acceptance`; what it is about must be in the suite.
+AcceptanceCriterion read_criterion(const ConfigNode& entry, const SuiteConfig& suite);
 
 // Keeps only the planners with these labels; throws std::invalid_argument for one that is not
 // there.

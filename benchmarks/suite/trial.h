@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <map>
 #include <optional>
+#include <span>
 #include <string>
 
 #include "voronaut/benchmarks/episode/loop_config.h"
@@ -19,6 +20,8 @@
 
 // One trial: everything that defines it, and what comes out of it.
 namespace voronaut {
+
+struct Tick;
 
 struct PlannerSpec {
   std::string label;                          // unique within a suite; what reports call it
@@ -67,6 +70,10 @@ TrialResult run_trial(const TrialSpec& spec, const PlannerCatalog& planners, boo
 
 // The row of a trial that has not flown: what is known of it from its definition alone.
 RunRecord record_before_flight(const TrialSpec& spec);
+
+// The columns of the path of `ticks`, which is not empty; of one that reached the goal the ratio
+// counts the rest of the way: it may end at the goal's tolerance, the reference ends at the goal.
+void add_path(RunRecord& record, std::span<const Tick> ticks, const Vec2& goal_world);
 
 // Counts what ended the solves of a trial into its row.
 void add_solve_ends(RunRecord& record, const std::array<std::int64_t, kSolveEnds>& ends);

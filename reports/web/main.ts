@@ -1,5 +1,5 @@
 import { comparisonSection } from "./comparison";
-import { kGoal, MappingData, readReport, Report } from "./data";
+import { MappingData, readReport, Report } from "./data";
 import { distributions } from "./distributions";
 import { el, percent } from "./dom";
 import { failuresSection } from "./failures";
@@ -7,6 +7,7 @@ import { figure9Section, hasFigure9 } from "./figure9";
 import { filterBar } from "./filter_bar";
 import { pageOf } from "./links";
 import { buildMappingPage, mappingSection } from "./mapping";
+import { failed } from "./outcomes";
 import { overview } from "./overview";
 import { Palette } from "./palette";
 import { manifestEntries, provenanceSection } from "./provenance";
@@ -22,7 +23,7 @@ import { startTooltips } from "./tooltip";
 const kHeadlineFacts = ["version", "commit", "compiler", "build_type", "processor", "seed", "started_utc"];
 
 function header(report: Report): HTMLElement {
-  const reached = report.trials.filter((t) => t.outcome === kGoal).length;
+  const reached = report.trials.filter((t) => !failed(t.outcome)).length;
   const facts: [string, string][] = [
     ["trials", String(report.trials.length)],
     ["reached the goal", `${reached} (${percent(report.trials.length ? reached / report.trials.length : null)})`],
