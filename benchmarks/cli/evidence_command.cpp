@@ -39,7 +39,7 @@ SuiteEvidence evidence_of(const std::string& path, const PlannerCatalog& planner
   evidence.commit = has_program ? said(manifest["program"], "commit") : "unknown";
   if (has_program && manifest["program"].value("dirty", false)) evidence.commit += " (changed)";
   evidence.started_utc = said(manifest, "started_utc");
-  evidence.claims = suite.claims;
+  evidence.criteria = suite.acceptance;
   evidence.records = folder.store().records();
   evidence.digest = digest(evidence.records);
   return evidence;

@@ -13,7 +13,9 @@ namespace voronaut {
 
 ExitCode execute(const SummaryOptions& options, const CommandContext& context) {
   const Summary summary = summarise(OutputFolder::open(options.folder).store().records());
-  context.out << (options.json ? summary_json(summary) + "\n" : summary_text(summary));
+  context.out << (options.json  ? summary_json(summary) + "\n"
+                  : options.csv ? summary_csv(summary)
+                                : summary_text(summary));
   return ExitCode::success;
 }
 

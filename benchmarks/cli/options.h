@@ -25,6 +25,7 @@ struct RunOptions {
 struct SummaryOptions {
   std::string folder;
   bool json = false;
+  bool csv = false;
 };
 
 struct ListOptions {

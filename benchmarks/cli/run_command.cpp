@@ -44,7 +44,7 @@ ExitCode report_run(const RunReport& run, const OutputFolder& folder,
   folder.write_report();
   const auto records = folder.store().records();
   std::size_t failed = 0;
-  for (const RunRecord& record : records) failed += is_failure(record.outcome) ? 1 : 0;
+  for (const RunRecord& record : records) failed += entry_of(record.outcome).cut_off ? 1 : 0;
   context.out << summary_text(summarise(records)) << "\n";
   if (run.stored > 0)
     context.out << run.stored << " trials were there, " << run.done << " are new\n";

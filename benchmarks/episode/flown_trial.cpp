@@ -2,11 +2,11 @@
 
 #include <cmath>
 
-
 #include "voronaut/benchmarks/episode/episode.h"
 #include "voronaut/benchmarks/episode/episode_trace.h"
 #include "voronaut/benchmarks/episode/metrics.h"
 #include "voronaut/benchmarks/trial/ompl_seed.h"
+#include "voronaut/reports/summary/estimate.h"
 
 namespace voronaut {
 
@@ -24,32 +24,21 @@ void add_metrics(RunRecord& record, const EpisodeLog& log, const Vec2& goal_worl
       std::count_if(log.ticks.begin(), log.ticks.end(),
                     [&](const Tick& t) { return t.t_s <= arrival_or_end_s + 1e-9; }));
   const std::span<const Tick> flown(log.ticks.data(), last);
-  const bool success = record.outcome == Outcome::goal_reached;
   record.duration_s = arrival_or_end_s;
-  record.path_length_m = path_length_m(flown);
-  if (success) {
-    // The flight ends at the goal's tolerance, the reference at the goal: the rest of the way
-    // counts.
-    const double left_m = (flown.back().state.p_world.head<2>() - goal_world).norm();
-    record.path_ratio = (record.path_length_m + left_m) / record.shortest_length_m;
-  }
-  record.spl = spl(success, record.shortest_length_m, record.path_length_m);
-  record.clearance_min_m = clearance_min_m(log.ticks);
-  record.clearance_mean_m = clearance_mean_m(flown);
+  add_path(record, flown, goal_world);
+  record.clearance_smallest_m = clearance_smallest_m(log.ticks);  // while it holds at the goal too
   record.speed_mean_m_s = speed_mean_m_s(flown, log.departure_s);
   record.speed_max_m_s = speed_max_m_s(flown);
-  record.end_x_m = flown.back().state.p_world.x();
-  record.end_y_m = flown.back().state.p_world.y();
   record.state_digest = state_digest(log.ticks);
 }
 
 void add_times(RunRecord& record, const EpisodeLog& log) {
   record.mapping_time_us_mean = mean(log.mapping.samples_us());
-  record.mapping_time_us_p99 = percentile(log.mapping.samples_us(), 99);
+  record.mapping_time_us_p99 = quantile(log.mapping.samples_us(), 0.99);
   record.planning_time_us_mean = mean(log.planning.samples_us());
-  record.planning_time_us_p99 = percentile(log.planning.samples_us(), 99);
+  record.planning_time_us_p99 = quantile(log.planning.samples_us(), 0.99);
   record.step_time_us_mean = mean(log.step.samples_us());
-  record.step_time_us_p99 = percentile(log.step.samples_us(), 99);
+  record.step_time_us_p99 = quantile(log.step.samples_us(), 0.99);
 }
 
 }  // namespace

@@ -80,7 +80,7 @@ FileKeys file_keys(const PlannerCatalog& planners) {
   keys.vehicle = key_facts(VehicleEntryKeys{});
   keys.regulator = key_facts(RegulatorEntryKeys{});
   keys.planner = key_facts(PlannerEntryKeys{});
-  keys.claim = key_facts(Claim{});
+  keys.criterion = key_facts(AcceptanceCriterion{});
   for (const std::string& name : vehicle_names()) {
     keys.vehicle_params.push_back({name, key_facts(find_vehicle(name))});
     keys.vehicle_models.push_back({name, facts_of(find_vehicle(name).model)});

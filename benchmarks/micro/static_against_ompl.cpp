@@ -23,6 +23,7 @@
 #include "voronaut/benchmarks/trial/ompl_seed.h"
 #include "voronaut/environments/random.h"
 #include "voronaut/environments/world.h"
+#include "voronaut/reports/summary/estimate.h"
 
 // RRTConnect on OMPL's circle queries through a suite of kind `static` and through
 // ompl::tools::Benchmark, with the same checker and the same seeds:
@@ -226,15 +227,7 @@ TrialSpec query_of(const Circles& circles, std::size_t index) {
   return spec;
 }
 
-// Share 0.5 is the median: other work on the machine stretches single runs.
-double quantile(std::vector<double> values, double share) {
-  if (values.empty()) return 0;
-  const auto place =
-      values.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
-  std::nth_element(values.begin(), place, values.end());
-  return *place;
-}
-
+// Not the mean: other work on the machine stretches single runs.
 double median_us(const std::vector<Run>& runs, double Run::*time_us) {
   std::vector<double> values;
   values.reserve(runs.size());

@@ -99,7 +99,7 @@ class SuiteRun {
   void keep(const PackedTrial& result) {
     store_.insert_with_blob(result.record, result.trace_blob);
     ++report.done;
-    progress_.trial_done(is_failure(result.record.outcome));
+    progress_.trial_done(entry_of(result.record.outcome).cut_off);
   }
 
   const SuiteConfig& suite_;
@@ -128,11 +128,6 @@ RunRecord run_alone(const TrialSpec& spec, const TrialLimits& limits, const FlyT
       run_in_child([&] { return fly_and_pack(spec, fly, TraceKeeping::none); }, limits.process,
                    ChildProcess::Streams::inherited);
   return result_of(spec, ended, limits.process).record;
-}
-
-bool is_failure(Outcome outcome) {
-  return outcome == Outcome::crash || outcome == Outcome::killed || outcome == Outcome::memory ||
-         outcome == Outcome::invalid;
 }
 
 RunRecord record_of_failure(const TrialSpec& spec, Outcome outcome, const std::string& reason) {

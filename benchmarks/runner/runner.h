@@ -30,9 +30,6 @@ RunReport run_suite(const SuiteConfig& suite, const FlyTrial& fly, std::size_t j
 // The same for one trial, apart from any store. What the planner prints stays visible.
 RunRecord run_alone(const TrialSpec& spec, const TrialLimits& limits, const FlyTrial& fly);
 
-// Outcomes that say that something is wrong with the planner or the suite, not how well it flew.
-bool is_failure(Outcome outcome);
-
 // The row of a trial that did not come back by itself.
 RunRecord record_of_failure(const TrialSpec& spec, Outcome outcome, const std::string& reason);
 

@@ -112,20 +112,9 @@ RunRecord record_of(const TrialSpec& spec, const StaticSolve& solved) {
   add_solve_ends(record, ends);
   record.planning_time_us_mean = solved.time_us;
   const std::vector<Tick> path = vertices(solved, *spec.scenario.world);
-  const bool success = record.outcome == Outcome::goal_reached;
   record.spl = 0;
   if (path.empty()) return record;
-  record.path_length_m = path_length_m(path);
-  record.clearance_min_m = clearance_min_m(path);
-  record.clearance_mean_m = clearance_mean_m(path);
-  record.end_x_m = path.back().state.p_world.x();
-  record.end_y_m = path.back().state.p_world.y();
-  record.spl = spl(success, record.shortest_length_m, record.path_length_m);
-  if (success) {
-    // As in flight: a path may end at the goal's tolerance, the rest of the way counts.
-    const double left_m = (path.back().state.p_world.head<2>() - spec.scenario.goal_world).norm();
-    record.path_ratio = (record.path_length_m + left_m) / record.shortest_length_m;
-  }
+  add_path(record, path, spec.scenario.goal_world);
   record.state_digest = state_digest(path);
   return record;
 }

@@ -115,9 +115,9 @@ SuiteConfig read_suite(const ConfigNode& root, const std::string& data_argument,
   read_contents(root, data_argument, planners, suite);
   if (suite.kind == TrialKind::flown)
     for (const VehicleEntry& vehicle : suite.vehicles) require_able(root, suite, vehicle);
-  if (const auto claims = root.find("claims"))
-    for (const ConfigNode& entry : claims->items())
-      suite.claims.push_back(read_claim(entry, suite));
+  if (const auto acceptance = root.find("acceptance"))
+    for (const ConfigNode& entry : acceptance->items())
+      suite.acceptance.push_back(read_criterion(entry, suite));
   return suite;
 }
 

@@ -161,9 +161,9 @@ PlannerSpec read_planner(const ConfigNode& entry, const PlannerCatalog& planners
   return spec;
 }
 
-Claim read_claim(const ConfigNode& entry, const SuiteConfig& suite) {
-  Claim claim;
-  read_into(entry, claim);
+AcceptanceCriterion read_criterion(const ConfigNode& entry, const SuiteConfig& suite) {
+  AcceptanceCriterion criterion;
+  read_into(entry, criterion);
   const auto require_known = [&](const char* key, const auto& items, const auto& name_of) {
     std::vector<std::string> names;
     for (const auto& item : items)
@@ -175,7 +175,7 @@ Claim read_claim(const ConfigNode& entry, const SuiteConfig& suite) {
   require_known("vehicle", suite.vehicles, [](const VehicleEntry& v) { return v.vehicle.name; });
   require_known("planner", suite.planners, [](const PlannerSpec& p) { return p.label; });
   require_known("speed_beside", suite.planners, [](const PlannerSpec& p) { return p.label; });
-  return claim;
+  return criterion;
 }
 
 }  // namespace voronaut

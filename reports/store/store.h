@@ -15,7 +15,7 @@
 namespace voronaut {
 
 // The results of a suite in one SQLite file: table `trials` (one row per trial, the columns of
-// RunRecord::visit, absent numbers NULL), `worlds` (world_id, json), `traces` (trial_id, raw
+// record_columns(), absent numbers NULL), `worlds` (world_id, json), `traces` (trial_id, raw
 // deflate of the JSON of trace_json.h) and `meta` (key, value). PRAGMA user_version is the schema's
 // version.
 //
@@ -26,7 +26,7 @@ namespace voronaut {
 // Every failure is a StoreError that names the file and quotes SQLite.
 class ResultStore {
  public:
-  static constexpr int kSchemaVersion = 2;
+  static constexpr int kSchemaVersion = 3;
 
   // An existing store; an error if the file is not there or was written with another schema.
   static ResultStore open(const std::filesystem::path& file);

@@ -28,15 +28,15 @@ TEST(Metrics, PathLengthIsThatOfTheTrackInThePlane) {
 }
 
 TEST(Metrics, ClearanceIsSmallestAndMeanOverTicks) {
-  EXPECT_DOUBLE_EQ(clearance_min_m(kCorner), 0.5);
+  EXPECT_DOUBLE_EQ(clearance_smallest_m(kCorner), 0.5);
   EXPECT_DOUBLE_EQ(clearance_mean_m(kCorner), 1.25);
-  EXPECT_TRUE(std::isnan(clearance_min_m({})));
+  EXPECT_TRUE(std::isnan(clearance_smallest_m({})));
   EXPECT_TRUE(std::isnan(clearance_mean_m({})));
 }
 
 TEST(Metrics, ClearanceMayBeNegativeInsideAnObstacle) {
   const std::vector<Tick> inside{tick(0, 0, 0, 0, -0.3), tick(1, 0, 0, 0, -0.1)};
-  EXPECT_DOUBLE_EQ(clearance_min_m(inside), -0.3);
+  EXPECT_DOUBLE_EQ(clearance_smallest_m(inside), -0.3);
 }
 
 TEST(Metrics, MeanSpeedCountsFromDeparture) {
@@ -50,13 +50,6 @@ TEST(Metrics, SplIsZeroForAFailureAndNeverAboveOne) {
   EXPECT_DOUBLE_EQ(spl(false, 10, 10), 0.0);
   EXPECT_DOUBLE_EQ(spl(true, 10, 12.5), 0.8);
   EXPECT_DOUBLE_EQ(spl(true, 10, 9.9), 1.0);
-}
-
-TEST(Metrics, PercentileIsNearestRank) {
-  EXPECT_DOUBLE_EQ(percentile({4, 1, 3, 2}, 50), 2.0);
-  EXPECT_DOUBLE_EQ(percentile({4, 1, 3, 2}, 99), 4.0);
-  EXPECT_DOUBLE_EQ(percentile({5}, 1), 5.0);
-  EXPECT_TRUE(std::isnan(percentile({}, 50)));
 }
 
 TEST(Metrics, MeanOfNothingIsAbsent) {
