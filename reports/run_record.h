@@ -17,7 +17,7 @@ enum class Outcome {
   stuck,          // stood still until it was pointless to wait
   infeasible,     // the planner proved that there is no path on what is known
   invalid,        // the trial could not start: start or goal not free, planner refused
-  killed,         // stopped by the wall-clock or CPU limit
+  killed,         // stopped by the wall-clock or CPU limit, or twice by somebody else
   crash,          // the planner ended the process: signal, abort, exception
   memory,         // the planner asked for more memory than allowed
 };

@@ -11,8 +11,10 @@
 namespace voronaut {
 
 ExitCode execute(const SummaryOptions& options, const CommandContext& context) {
-  const Summary summary = summarise(OutputFolder::open(options.folder).store().records());
-  context.out << (options.json ? summary_json(summary) + "\n" : summary_text(summary));
+  const OutputFolder folder = OutputFolder::open(options.folder);
+  const Summary summary = summarise(folder.store().records());
+  context.out << (options.json ? summary_json(summary) + "\n"
+                               : summary_text(summary) + folder.note_on_repetitions());
   return ExitCode::success;
 }
 

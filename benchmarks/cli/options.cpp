@@ -64,6 +64,7 @@ struct Commands {
     evidence_command = add_command(app, "evidence", "Hold the claims of suites against results");
     evidence_command->add_option("DIR", evidence.folders, "Folders of results")->required();
     evidence_command->add_option("-o,--output", evidence.out, "Markdown file [standard output]");
+    add_plugins(evidence_command, evidence.plugins);
     add_plot(app);
     add_show(app);
     add_export(app);

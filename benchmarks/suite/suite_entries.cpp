@@ -74,8 +74,7 @@ std::string planner_name(const ConfigNode& node, const PlannerCatalog& planners)
 void read_label(const ConfigNode& entry, std::string& label) {
   const auto node = entry.is_map() ? entry.find("label") : std::nullopt;
   if (!node) return;
-  label = node->text();
-  if (label.empty()) throw node->error("expected a label, got ''");
+  label = node->label();
 }
 
 // A planner is made, and given parameters, in a process of its own: it may throw, abort or hang.
@@ -149,7 +148,7 @@ PlannerSpec read_planner(const ConfigNode& entry, const PlannerCatalog& planners
   if (entry.is_map()) entry.allow_only({"name", "label", "params", "navigation"});
   PlannerSpec spec;
   spec.name = planner_name(name_node(entry), planners);
-  spec.label = spec.name;
+  spec.label = name_node(entry).label();
   read_label(entry, spec.label);
   if (const auto own = entry.is_map() ? entry.find("navigation") : std::nullopt)
     read_into(*own, spec.navigation.emplace(navigation));

@@ -10,6 +10,7 @@
 #include <sstream>
 
 #include "voronaut/environments/config/config_tree.h"
+#include "voronaut/environments/config/file_session.h"
 #include "voronaut/environments/config/nearest_name.h"
 
 namespace voronaut {
@@ -68,6 +69,7 @@ std::string number_text(double value) {
 }
 
 std::string read_bytes(const std::string& path) {
+  if (const std::string* copy = FileSession::copy_of(path)) return *copy;
   std::error_code ignored;
   if (std::filesystem::is_directory(path, ignored))
     throw ConfigError(path, 0, "", "cannot be read (is a folder)");
@@ -77,7 +79,9 @@ std::string read_bytes(const std::string& path) {
     throw ConfigError(path, 0, "", "cannot be read (" + std::string(std::strerror(errno)) + ")");
   std::ostringstream text;
   text << stream.rdbuf();
-  return text.str();
+  std::string bytes = text.str();
+  FileSession::note(path, bytes);
+  return bytes;
 }
 
 std::string read_text_file(const std::string& path) {
@@ -130,6 +134,21 @@ bool ConfigNode::flag() const {
 std::string ConfigNode::text() const {
   if (!is_scalar()) throw expected("text");
   return tree_->scalar;
+}
+
+std::string ConfigNode::label() const {
+  std::string label = text();
+  const auto is_control = [](char c) {
+    return (static_cast<unsigned char>(c) < 0x20 && c != '\t') || c == 0x7f;
+  };
+  const bool controls = std::any_of(label.begin(), label.end(), is_control);
+  if (!label.empty() && label.size() <= kLabelBytesMax && !controls) return label;
+  std::string shown = label.substr(0, 40);
+  std::replace_if(shown.begin(), shown.end(), is_control, '?');
+  throw error("expected a label of 1 to " + std::to_string(kLabelBytesMax) +
+              " bytes without line breaks or control characters, got " +
+              std::to_string(label.size()) + " bytes, " + in_quotes(shown) +
+              (label.size() > shown.size() ? "..." : ""));
 }
 
 std::size_t ConfigNode::choice(const std::vector<std::string>& names) const {
