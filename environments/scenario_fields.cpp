@@ -5,6 +5,7 @@
 
 #include "voronaut/environments/config/config_reader.h"
 #include "voronaut/environments/config/file_session.h"
+#include "voronaut/environments/config/label.h"
 #include "voronaut/environments/config/nearest_name.h"
 #include "voronaut/environments/formats/csv_table.h"
 
@@ -16,11 +17,11 @@ constexpr double kFar = kFarthestCoordinate;
 void require_plain(const std::string& name, const ConfigNode& place) {
   constexpr std::string_view kPlain =
       "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-.+";
-  if (name.empty() || name.size() > ConfigNode::kLabelBytesMax ||
+  if (name.empty() || name.size() > kLabelBytesMax ||
       name.find_first_not_of(kPlain) != std::string::npos)
     throw place.error("expected a name of letters, digits and _-.+, at most " +
-                      std::to_string(ConfigNode::kLabelBytesMax) + ", got " +
-                      in_quotes(name.substr(0, ConfigNode::kLabelBytesMax)));
+                      std::to_string(kLabelBytesMax) + ", got " +
+                      in_quotes(name.substr(0, kLabelBytesMax)));
 }
 
 }  // namespace

@@ -136,21 +136,6 @@ std::string ConfigNode::text() const {
   return tree_->scalar;
 }
 
-std::string ConfigNode::label() const {
-  std::string label = text();
-  const auto is_control = [](char c) {
-    return (static_cast<unsigned char>(c) < 0x20 && c != '\t') || c == 0x7f;
-  };
-  const bool controls = std::any_of(label.begin(), label.end(), is_control);
-  if (!label.empty() && label.size() <= kLabelBytesMax && !controls) return label;
-  std::string shown = label.substr(0, 40);
-  std::replace_if(shown.begin(), shown.end(), is_control, '?');
-  throw error("expected a label of 1 to " + std::to_string(kLabelBytesMax) +
-              " bytes without line breaks or control characters, got " +
-              std::to_string(label.size()) + " bytes, " + in_quotes(shown) +
-              (label.size() > shown.size() ? "..." : ""));
-}
-
 std::size_t ConfigNode::choice(const std::vector<std::string>& names) const {
   if (!is_scalar()) throw expected("one of " + join_names(names));
   const auto found = std::find(names.begin(), names.end(), tree_->scalar);

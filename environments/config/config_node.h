@@ -1,6 +1,5 @@
 #pragma once
 
-#include <cstddef>
 #include <cstdint>
 #include <limits>
 #include <memory>
@@ -23,7 +22,6 @@ struct ConfigTree;
 class ConfigNode {
  public:
   static constexpr double kUnbounded = std::numeric_limits<double>::infinity();
-  static constexpr std::size_t kLabelBytesMax = 200;
 
   // The root of a file, which must be a map of keys. Also throws for what is missing, unreadable,
   // empty, not text, not YAML, or gives a key twice.
@@ -45,9 +43,6 @@ class ConfigNode {
   std::int64_t whole_number(std::int64_t lo, std::int64_t hi) const;     // inclusive bounds
   bool flag() const;
   std::string text() const;
-  // Text that names something in tables, files and messages: 1 to kLabelBytesMax bytes, no line
-  // break and no control character but the tab.
-  std::string label() const;
   // One of these names; its index.
   std::size_t choice(const std::vector<std::string>& names) const;
 
