@@ -49,7 +49,7 @@ inline constexpr std::array kOutcomes{
     OutcomeEntry{Outcome::invalid, "invalid", "invalid", "?", "#57606a", "#a3adb8", true, true,
                  "could not start: start or goal not free, or the planner refused"},
     OutcomeEntry{Outcome::killed, "killed", "killed", "K", "#5b3fa8", "#b49cff", true, true,
-                 "stopped by the limit on wall-clock or CPU time"},
+                 "stopped by the limit on wall-clock or CPU time, or twice by somebody else"},
     OutcomeEntry{Outcome::crash, "crash", "crash", "!", "#44484d", "#c3c9d0", true, true,
                  "the planner ended the process: signal, abort or exception"},
     OutcomeEntry{Outcome::memory, "memory", "memory", "M", "#216f96", "#8fd3f4", true, true,

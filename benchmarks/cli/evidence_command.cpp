@@ -25,7 +25,7 @@ std::string first_comment(const std::string& suite_text) {
 
 SuiteEvidence evidence_of(const std::string& path, const PlannerCatalog& planners) {
   const OutputFolder folder = OutputFolder::open(path);
-  const SuiteSource source = folder.source();
+  SuiteSource source = folder.source();
   const SuiteConfig suite = source.read(planners);
   std::ifstream file(folder.file("manifest.json"));
   const auto manifest = nlohmann::json::parse(file, nullptr, false);

@@ -12,10 +12,11 @@
 namespace voronaut {
 
 ExitCode execute(const SummaryOptions& options, const CommandContext& context) {
-  const Summary summary = summarise(OutputFolder::open(options.folder).store().records());
+  const OutputFolder folder = OutputFolder::open(options.folder);
+  const Summary summary = summarise(folder.store().records());
   context.out << (options.json  ? summary_json(summary) + "\n"
                   : options.csv ? summary_csv(summary)
-                                : summary_text(summary));
+                                : summary_text(summary) + folder.note_on_repetitions());
   return ExitCode::success;
 }
 

@@ -68,6 +68,7 @@ struct Commands {
         add_command(app, "evidence", "Hold the acceptance criteria of suites against results");
     evidence_command->add_option("DIR", evidence.folders, "Folders of results")->required();
     evidence_command->add_option("-o,--output", evidence.out, "Markdown file [standard output]");
+    add_plugins(evidence_command, evidence.plugins);
     add_plot(app);
     add_show(app);
     add_export(app);

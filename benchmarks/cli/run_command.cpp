@@ -45,7 +45,7 @@ ExitCode report_run(const RunReport& run, const OutputFolder& folder,
   const auto records = folder.store().records();
   std::size_t failed = 0;
   for (const RunRecord& record : records) failed += entry_of(record.outcome).cut_off ? 1 : 0;
-  context.out << summary_text(summarise(records)) << "\n";
+  context.out << summary_text(summarise(records)) << folder.note_on_repetitions() << "\n";
   if (run.stored > 0)
     context.out << run.stored << " trials were there, " << run.done << " are new\n";
   if (failed > 0)
@@ -75,7 +75,7 @@ ExitCode fly(const SuiteConfig& suite, const RunOptions& options, OutputFolder& 
 }  // namespace
 
 ExitCode execute(const RunOptions& options, const CommandContext& context) {
-  const SuiteSource source = source_of(options);
+  SuiteSource source = source_of(options);
   SuiteConfig suite = source.read(context.planners);
   SuiteTrials::check_worlds(suite);
   const SuiteConfig whole = suite;

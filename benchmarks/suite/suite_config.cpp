@@ -19,9 +19,12 @@ std::string read_name(const ConfigNode& node) {
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '-' ||
            c == '_' || c == '.';
   };
-  if (name.empty() || name.front() == '.' || !std::all_of(name.begin(), name.end(), plain))
-    throw node.error("expected a name of letters, digits, '-', '_' and '.', got " +
-                     in_quotes(name));
+  constexpr std::size_t kLongest = 100;
+  if (name.empty() || name.size() > kLongest || name.front() == '.' ||
+      !std::all_of(name.begin(), name.end(), plain))
+    throw node.error("expected a name of at most " + std::to_string(kLongest) +
+                     " letters, digits, '-', '_' and '.', got " +
+                     in_quotes(name.substr(0, kLongest)));
   return name;
 }
 

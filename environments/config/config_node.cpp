@@ -10,6 +10,7 @@
 #include <sstream>
 
 #include "voronaut/environments/config/config_tree.h"
+#include "voronaut/environments/config/file_session.h"
 #include "voronaut/environments/config/nearest_name.h"
 #include "voronaut/environments/config/renamed_keys.h"
 
@@ -69,6 +70,7 @@ std::string number_text(double value) {
 }
 
 std::string read_bytes(const std::string& path) {
+  if (const std::string* copy = FileSession::copy_of(path)) return *copy;
   std::error_code ignored;
   if (std::filesystem::is_directory(path, ignored))
     throw ConfigError(path, 0, "", "cannot be read (is a folder)");
@@ -78,7 +80,9 @@ std::string read_bytes(const std::string& path) {
     throw ConfigError(path, 0, "", "cannot be read (" + std::string(std::strerror(errno)) + ")");
   std::ostringstream text;
   text << stream.rdbuf();
-  return text.str();
+  std::string bytes = text.str();
+  FileSession::note(path, bytes);
+  return bytes;
 }
 
 std::string read_text_file(const std::string& path) {

@@ -5,6 +5,8 @@
 #include <string_view>
 
 #include "voronaut/environments/config/config_reader.h"
+#include "voronaut/environments/config/file_session.h"
+#include "voronaut/environments/config/label.h"
 #include "voronaut/environments/config/nearest_name.h"
 #include "voronaut/environments/formats/csv_table.h"
 #include "voronaut/environments/scenario_keys.h"
@@ -17,8 +19,11 @@ constexpr double kFar = kFarthestCoordinate;
 void require_plain(const std::string& name, const ConfigNode& place) {
   constexpr std::string_view kPlain =
       "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-.+";
-  if (name.empty() || name.find_first_not_of(kPlain) != std::string::npos)
-    throw place.error("expected a name of letters, digits and _-.+, got " + in_quotes(name));
+  if (name.empty() || name.size() > kLabelBytesMax ||
+      name.find_first_not_of(kPlain) != std::string::npos)
+    throw place.error("expected a name of letters, digits and _-.+, at most " +
+                      std::to_string(kLabelBytesMax) + ", got " +
+                      in_quotes(name.substr(0, kLabelBytesMax)));
 }
 
 }  // namespace
@@ -58,7 +63,7 @@ std::optional<double> read_heading(const ConfigNode& entry) {
 std::string existing_file(const ConfigNode& node) {
   std::string path = node.beside(node.text());
   std::error_code ignored;
-  if (!std::filesystem::is_regular_file(path, ignored))
+  if (FileSession::copy_of(path) == nullptr && !std::filesystem::is_regular_file(path, ignored))
     throw node.error("no file " + in_quotes(path));
   return path;
 }

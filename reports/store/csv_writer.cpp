@@ -5,10 +5,11 @@
 namespace voronaut {
 
 std::string csv_field(std::string_view text) {
+  const bool guarded = text.find_first_of("=+-@\t\r'") == 0;
   if (text.find_first_of(",\"\r\n") == std::string_view::npos) {
-    return std::string(text);
+    return (guarded ? "'" : "") + std::string(text);
   }
-  std::string quoted = "\"";
+  std::string quoted = guarded ? "\"'" : "\"";
   for (const char c : text) {
     quoted.append(c == '"' ? 2 : 1, c);
   }

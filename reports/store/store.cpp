@@ -2,6 +2,9 @@
 
 #include <type_traits>
 
+#include <unistd.h>
+
+#include "voronaut/reports/encoding/deflate.h"
 #include "voronaut/reports/trace/trace_json.h"
 #include "voronaut/reports/record_columns.h"
 
@@ -40,11 +43,39 @@ void bind_record(sqlite::Statement& statement, const RunRecord& record) {
   });
 }
 
+// SQLite keeps text in a column of numbers if somebody puts it there.
+template <class Value>
+bool holds(const sqlite::Statement& statement, int column) {
+  using Type = sqlite::Statement::Type;
+  const Type type = statement.type(column);
+  if constexpr (std::is_same_v<Value, std::int64_t>) {
+    return type == Type::integer;
+  } else if constexpr (std::is_same_v<Value, double>) {
+    return type == Type::real || type == Type::integer || type == Type::null;
+  } else {
+    return type == Type::text;
+  }
+}
+
+template <class Value>
+void require(const sqlite::Statement& statement, int column, std::string_view name,
+             const std::string& file, const std::string& trial_id) {
+  if (holds<Value>(statement, column)) return;
+  const char* expected = std::is_same_v<Value, std::int64_t> ? "a whole number"
+                         : std::is_same_v<Value, double>     ? "a number"
+                                                             : "text";
+  throw StoreError(file + ": table trials, row " +
+                   (trial_id.empty() ? "without trial_id" : "with trial_id '" + trial_id + "'") +
+                   ", column " + std::string(name) + ": expected " + expected + ", got '" +
+                   statement.text(column).substr(0, 60) + "'");
+}
+
 RunRecord read_record(const sqlite::Statement& statement, const std::string& file) {
   RunRecord record;
   int at = 0;
-  visit_columns(record, [&](const RecordColumn&, auto& value) {
+  visit_columns(record, [&](const RecordColumn& column, auto& value) {
     using Value = std::remove_cvref_t<decltype(value)>;
+    require<Value>(statement, at, column.name, file, record.trial_id);
     if constexpr (std::is_same_v<Value, Outcome>) {
       try {
         value = outcome_from_string(statement.text(at));
@@ -84,14 +115,14 @@ ResultStore ResultStore::open(const std::filesystem::path& file) {
   return store;
 }
 
-ResultStore ResultStore::create(const std::filesystem::path& file) {
+ResultStore ResultStore::create(const std::filesystem::path& file, const Meta& meta) {
   ResultStore store(file, sqlite::OpenMode::create);
-  store.create_tables();
+  store.create_tables(meta);
   store.check_schema();
   return store;
 }
 
-void ResultStore::create_tables() {
+void ResultStore::create_tables(const Meta& meta) {
   sqlite::Transaction transaction(database_);
   {
     sqlite::Statement tables(database_, "SELECT count(*) FROM sqlite_master");
@@ -109,6 +140,7 @@ void ResultStore::create_tables() {
   database_.execute("CREATE TABLE worlds(world_id TEXT NOT NULL PRIMARY KEY, json TEXT NOT NULL)");
   database_.execute("CREATE TABLE traces(trial_id TEXT NOT NULL PRIMARY KEY, data BLOB NOT NULL)");
   database_.execute("CREATE TABLE meta(key TEXT NOT NULL PRIMARY KEY, value TEXT NOT NULL)");
+  write_meta(meta);
   database_.execute("PRAGMA user_version = " + std::to_string(kSchemaVersion));
   transaction.commit();
 }
@@ -141,7 +173,21 @@ bool ResultStore::insert(const RunRecord& record, const std::optional<Trace>& tr
   return insert_with_blob(record, trace ? compress_trace(*trace) : std::string());
 }
 
+void ResultStore::restore_at_path() {
+  if (database_.is_at_its_path()) return;
+  const std::filesystem::path copy = database_.file() + ".part" + std::to_string(getpid());
+  std::filesystem::remove(copy);
+  {
+    sqlite::Statement into(database_, "VACUUM INTO ?");
+    into.bind(1, copy.string());
+    into.step();
+  }
+  std::filesystem::rename(copy, file());
+  database_ = sqlite::Database(file(), sqlite::OpenMode::existing);
+}
+
 bool ResultStore::insert_with_blob(const RunRecord& record, std::string_view trace_blob) {
+  restore_at_path();
   sqlite::Transaction transaction(database_);
   if (const auto stored = this->record(record.trial_id)) {
     if (const auto difference = first_difference(*stored, record)) {
@@ -241,17 +287,63 @@ std::vector<TraceWorld> ResultStore::worlds() const {
   return list;
 }
 
-void ResultStore::set_meta(std::string_view key, std::string_view value) {
+void ResultStore::set_meta(const Meta& meta) {
+  sqlite::Transaction transaction(database_);
+  write_meta(meta);
+  transaction.commit();
+}
+
+void ResultStore::write_meta(const Meta& meta) {
   sqlite::Statement row(database_, "INSERT OR REPLACE INTO meta(key, value) VALUES (?, ?)");
-  row.bind(1, key);
-  row.bind(2, value);
-  row.step();
+  for (const auto& [key, value] : meta) {
+    row.bind(1, key);
+    row.bind(2, value);
+    row.step();
+    row.reset();
+  }
 }
 
 std::optional<std::string> ResultStore::meta(std::string_view key) const {
   sqlite::Statement query(database_, "SELECT value FROM meta WHERE key = ?");
   query.bind(1, key);
   return query.step() ? std::optional(query.text(0)) : std::nullopt;
+}
+
+namespace {
+constexpr const char* kFilesTable =
+    "CREATE TABLE IF NOT EXISTS files(path TEXT NOT NULL PRIMARY KEY, data BLOB NOT NULL)";
+}  // namespace
+
+void ResultStore::keep_files(const Files& files) {
+  if (files == kept_files()) return;
+  sqlite::Transaction transaction(database_);
+  database_.execute(kFilesTable);
+  database_.execute("DELETE FROM files");
+  {
+    sqlite::Statement row(database_, "INSERT INTO files(path, data) VALUES (?, ?)");
+    for (const auto& [path, bytes] : files) {
+      row.bind(1, path);
+      row.bind_blob(2, deflate_raw(bytes));
+      row.step();
+      row.reset();
+    }
+  }
+  transaction.commit();
+}
+
+ResultStore::Files ResultStore::kept_files() const {
+  Files files;
+  sqlite::Statement table(database_, "SELECT 1 FROM sqlite_master WHERE name = 'files'");
+  if (!table.step()) return files;
+  sqlite::Statement query(database_, "SELECT path, data FROM files");
+  while (query.step()) {
+    try {
+      files.emplace(query.text(0), inflate_raw(query.blob(1)));
+    } catch (const std::invalid_argument& error) {
+      throw StoreError(database_.file() + ": file " + query.text(0) + ": " + error.what());
+    }
+  }
+  return files;
 }
 
 }  // namespace voronaut

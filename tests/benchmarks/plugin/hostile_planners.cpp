@@ -4,6 +4,8 @@
 
 #include <ompl/base/Planner.h>
 #include <ompl/geometric/PathGeometric.h>
+#include <signal.h>
+#include <unistd.h>
 
 #include "voronaut/planners/catalog/plugin.h"
 
@@ -71,6 +73,16 @@ void leak() {
   while (true) kept.emplace_back(1 << 20, 'x');
 }
 
+// The accident: a number that it believes to be its own.
+void write_to_three() {
+  for (int fd = 3; fd < 20; ++fd) static_cast<void>(!write(fd, "planner: solving\n", 17));
+}
+void unlink_database() {
+  unlink("attacked/results.db");
+  unlink("results.db");
+}
+void kill_parent() { kill(getppid(), SIGKILL); }
+
 template <class Planner>
 ob::PlannerPtr make(const ob::SpaceInformationPtr& si) {
   return std::make_shared<Planner>(si);
@@ -89,6 +101,9 @@ VORONAUT_PLUGIN(planners) {
   add(planners, "Aborts", abort_all);
   add(planners, "Loops", loop);
   add(planners, "Leaks", leak);
+  add(planners, "WritesToThree", write_to_three);
+  add(planners, "UnlinksDatabase", unlink_database);
+  add(planners, "KillsParent", kill_parent);
   planners.add({"StillBorn", "aborts when made", {}, [](const ob::SpaceInformationPtr& si) {
                   abort_all();
                   return std::make_shared<Hostile>(si, loop);

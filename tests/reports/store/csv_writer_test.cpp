@@ -19,6 +19,26 @@ TEST(CsvField, QuotesOnlyWhatNeedsIt) {
   EXPECT_EQ(csv_field(""), "");
 }
 
+TEST(CsvField, KeepsSpreadsheetsFromRunningIt) {
+  EXPECT_EQ(csv_field("=1+2"), "'=1+2");
+  EXPECT_EQ(csv_field("+a"), "'+a");
+  EXPECT_EQ(csv_field("-a"), "'-a");
+  EXPECT_EQ(csv_field("@SUM(A1)"), "'@SUM(A1)");
+  EXPECT_EQ(csv_field("\t=1"), "'\t=1");
+  EXPECT_EQ(csv_field("=\"x\",1"), "\"'=\"\"x\"\",1\"");
+  EXPECT_EQ(csv_field("'quoted"), "''quoted") << "taking one off gives the text back";
+  EXPECT_EQ(csv_field("a=1"), "a=1");
+}
+
+TEST(Csv, GuardsLabelsAndLeavesNegativeNumbersAlone) {
+  RunRecord record = synthetic::make_record("t1");
+  record.planner = "=HYPERLINK(\"x\")";
+  record.end_x_m = -1.5;
+  const std::string csv = records_to_csv({record});
+  EXPECT_THAT(csv, ::testing::HasSubstr(",\"'=HYPERLINK(\"\"x\"\")\","));
+  EXPECT_THAT(csv, ::testing::HasSubstr(",-1.5,"));
+}
+
 TEST(NumberText, IsTheShortestThatReadsBack) {
   EXPECT_EQ(cell_text(0.1), "0.1");
   EXPECT_EQ(cell_text(0.1 + 0.2), "0.30000000000000004");
