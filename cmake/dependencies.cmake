@@ -5,6 +5,7 @@ find_package(Eigen3 3.4 REQUIRED NO_MODULE)
 find_package(Boost 1.74 REQUIRED)
 find_package(Threads REQUIRED)
 find_package(ZLIB REQUIRED)
+find_package(PNG REQUIRED)
 find_package(SQLite3 REQUIRED)
 find_package(OpenSSL REQUIRED COMPONENTS Crypto)
 find_package(yaml-cpp REQUIRED)
@@ -39,6 +40,11 @@ find_path(VORONAUT_SLEEF_INCLUDE_DIR sleef.h REQUIRED)
 find_library(VORONAUT_SLEEF_LIBRARY sleef REQUIRED)
 voronaut_system_library(voronaut_sleef
   INCLUDES ${VORONAUT_SLEEF_INCLUDE_DIR} LIBRARIES ${VORONAUT_SLEEF_LIBRARY})
+
+find_path(VORONAUT_TINYXML2_INCLUDE_DIR tinyxml2.h REQUIRED)
+find_library(VORONAUT_TINYXML2_LIBRARY tinyxml2 REQUIRED)
+voronaut_system_library(voronaut_tinyxml2
+  INCLUDES ${VORONAUT_TINYXML2_INCLUDE_DIR} LIBRARIES ${VORONAUT_TINYXML2_LIBRARY})
 
 # Optional: figures as PNG.
 find_package(PkgConfig QUIET)

@@ -32,7 +32,9 @@ struct ForeignWorld {
   Shapes shapes;
   std::optional<Vec2> start;
   std::optional<Vec2> goal;
+  std::optional<double> start_heading_rad;
   std::optional<CellFrame> cells;  // if it came as a grid
+  int bodies_off_plane = 0;        // left out, because they do not meet the plane of flight
 };
 
 // One way through a world that a file of queries names.
@@ -47,22 +49,23 @@ struct ForeignQuery {
 // What a map says about places that nobody has seen.
 enum class UnknownCells { free, blocked };
 
-// What is taken of spheres in space: where they meet a plane, or all below and above them as well.
-enum class SphereCut { plane, columns };
+// What is taken of bodies in space: where they meet the plane of flight, or all below and above
+// them as well, as seen from above.
+enum class BodyCut { plane, columns };
 
 // How a file is read, where its format leaves that open. Each format uses some of these.
 struct ForeignOptions {
   double cell_size_m = 0.25;                     // of a grid that has no size of its own
   UnknownCells unknown = UnknownCells::blocked;  // what unknown cells of a map are taken for
-  SphereCut cut = SphereCut::plane;
-  double height_m = 1;  // of the plane
+  BodyCut cut = BodyCut::plane;
+  double height_m = 1;  // of the plane; in a scenario its cruise_height_m unless given
 
   template <class Visitor>
   void visit(Visitor& v) {
     v.number("cell_size_m", cell_size_m, 0.001, 1000);
     v.choice("unknown", unknown,
              {{"free", UnknownCells::free}, {"blocked", UnknownCells::blocked}});
-    v.choice("cut", cut, {{"plane", SphereCut::plane}, {"columns", SphereCut::columns}});
+    v.choice("cut", cut, {{"plane", BodyCut::plane}, {"columns", BodyCut::columns}});
     v.number("height_m", height_m, 0, 100);
   }
 };
