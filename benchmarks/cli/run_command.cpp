@@ -1,8 +1,6 @@
 #include <chrono>
 #include <ctime>
-#include <fstream>
 #include <iostream>
-#include <sstream>
 #include <stdexcept>
 
 #include <unistd.h>
@@ -31,11 +29,9 @@ std::string utc_now() {
 
 SuiteSource source_of(const RunOptions& options) {
   const std::string file = find_suite(options.suite).string();
-  ConfigNode::read_file(file);  // says what is wrong with the file itself
-  std::ifstream in(file, std::ios::binary);
-  std::ostringstream text;
-  text << in.rdbuf();
-  return {file, text.str(), options.data, options.seed, options.repetitions};
+  const std::string text = read_text_file(file);
+  ConfigNode::parse(text, file);  // says what is wrong with the file itself
+  return {file, text, options.data, options.seed, options.repetitions};
 }
 
 ExitCode report_run(const RunReport& run, const OutputFolder& folder,

@@ -6,7 +6,7 @@
 #include "voronaut/benchmarks/suite/suite_config.h"
 #include "voronaut/environments/formats/query_selection.h"
 #include "voronaut/environments/generators/world_generators.h"
-#include "voronaut/environments/scenario_keys.h"
+#include "voronaut/environments/scenario_files/scenario_keys.h"
 #include "voronaut/planners/catalog/parameter_declaration.h"
 #include "voronaut/planners/catalog/parameter_range.h"
 

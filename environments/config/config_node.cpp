@@ -1,16 +1,11 @@
 #include "voronaut/environments/config/config_node.h"
 
 #include <algorithm>
-#include <cerrno>
 #include <charconv>
 #include <cmath>
-#include <cstring>
 #include <filesystem>
-#include <fstream>
-#include <sstream>
 
 #include "voronaut/environments/config/config_tree.h"
-#include "voronaut/environments/config/file_session.h"
 #include "voronaut/environments/config/nearest_name.h"
 #include "voronaut/environments/config/renamed_keys.h"
 
@@ -67,28 +62,6 @@ std::string number_text(double value) {
   char text[32];
   const auto result = std::to_chars(text, text + sizeof text, value, format);
   return {text, result.ptr};
-}
-
-std::string read_bytes(const std::string& path) {
-  if (const std::string* copy = FileSession::copy_of(path)) return *copy;
-  std::error_code ignored;
-  if (std::filesystem::is_directory(path, ignored))
-    throw ConfigError(path, 0, "", "cannot be read (is a folder)");
-  errno = 0;
-  std::ifstream stream(path, std::ios::binary);
-  if (!stream)
-    throw ConfigError(path, 0, "", "cannot be read (" + std::string(std::strerror(errno)) + ")");
-  std::ostringstream text;
-  text << stream.rdbuf();
-  std::string bytes = text.str();
-  FileSession::note(path, bytes);
-  return bytes;
-}
-
-std::string read_text_file(const std::string& path) {
-  std::string text = read_bytes(path);
-  require_utf8(text, path);
-  return text;
 }
 
 ConfigNode ConfigNode::read_file(const std::string& path) {

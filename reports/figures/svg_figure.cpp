@@ -115,9 +115,10 @@ class Figure {
       body_ += "<circle cx=\"" + px(view.x(x_m)) + "\" cy=\"" + px(view.y(y_m)) + "\" r=\"" +
                px(radius_m * view.scale) + "\"/>\n";
     }
-    for (const auto& polygon : world.polygons) {
-      body_ += "<path d=\"" + path(view, polygon, true) + "\"/>\n";
-    }
+    // One path: rings that run clockwise are holes in those around them.
+    std::string rings;
+    for (const auto& polygon : world.polygons) rings += path(view, polygon, true);
+    if (!rings.empty()) body_ += "<path d=\"" + rings + "\"/>\n";
     for (const auto& segment : world.segments) {
       body_ += "<path stroke-width=\"3\" d=\"" + path(view, segment, false) + "\"/>\n";
     }

@@ -30,6 +30,7 @@ struct ShapeKeys {
     v.form("boxes", "[[xmin, ymin, xmax, ymax], ...]", "Rectangles along the axes");
     v.form("polygons", "[[[x, y], ...], ...]", "Obstacles of straight edges, each by its corners");
     v.form("segments", "[[[x, y], [x, y]], ...]", "Walls without thickness");
+    v.form("wkt", "[text, ...]", "Obstacles as well-known text: polygons with holes, lines");
   }
 };
 

@@ -1,4 +1,4 @@
-#include "voronaut/tests/support/boost_intersects.h"
+#include "voronaut/benchmarks/micro/peers/boost_intersects.h"
 
 #include <boost/geometry.hpp>
 #include <boost/geometry/geometries/geometries.hpp>
