@@ -2,6 +2,7 @@
 
 #include <stdexcept>
 
+#include "voronaut/benchmarks/runner/isolated_world.h"
 #include "voronaut/benchmarks/runner/packed_trial.h"
 #include "voronaut/benchmarks/runner/process_pool.h"
 #include "voronaut/benchmarks/suite/suite_trials.h"
@@ -62,7 +63,7 @@ class SuiteRun {
         references_(references),
         store_(store),
         progress_(progress),
-        trials_(suite) {}
+        trials_(suite, rehearse_in_child()) {}
 
   RunReport report;
 
@@ -74,6 +75,8 @@ class SuiteRun {
         progress_.trial_stored();
       } else if (!planned->refusal.empty()) {
         keep({record_of_failure(planned->spec, Outcome::invalid, planned->refusal), {}});
+      } else if (const std::string why = add_references(planned->spec); !why.empty()) {
+        keep({record_of_failure(planned->spec, Outcome::invalid, why), {}});
       } else {
         return job(std::move(planned->spec));
       }
@@ -82,8 +85,17 @@ class SuiteRun {
   }
 
  private:
+  // Why there are none, empty if there are.
+  std::string add_references(TrialSpec& spec) {
+    try {
+      references_.add_to(spec);
+      return {};
+    } catch (const std::runtime_error& error) {
+      return error.what();
+    }
+  }
+
   ProcessPool::Job job(TrialSpec&& pending) {
-    references_.add_to(pending);
     if (pending.world_id != drawn_world_) {
       store_.insert_world(trace_world(pending.scenario, pending.world_id));
       drawn_world_ = pending.world_id;

@@ -22,8 +22,9 @@ struct RunReport {
 };
 
 // Runs what the store lacks of a suite, `jobs` trials at once, each in its own process under the
-// suite's limits. Every trial becomes a row as soon as it has ended, whatever became of it. SIGINT
-// and SIGTERM end the run early; a run that was ended in any way is completed by the next.
+// suite's limits. Every trial becomes a row as soon as it has ended, whatever became of it or,
+// before it began, of its world and its references. SIGINT and SIGTERM end the run early; a run
+// that was ended in any way is completed by the next.
 RunReport run_suite(const SuiteConfig& suite, const FlyTrial& fly, std::size_t jobs,
                     ShortestReferences& references, ResultStore& store, Progress& progress);
 
