@@ -57,8 +57,10 @@ struct RunRecord {
   double path_length_m = kAbsent;            // flown, in the plane
   double shortest_length_m = kAbsent;        // privileged, at body radius on the true world
   double shortest_at_clearance_m = kAbsent;  // the same at clearance_min_m
-  double path_ratio = kAbsent;  // (flown + straight rest to the goal) / shortest; goal_reached only
-  double spl = kAbsent;         // success weighted by path length, 0 for a failure
+  // (flown + straight rest to the goal) / shortest, each counted as the goal's tolerance at least;
+  // goal_reached only
+  double path_ratio = kAbsent;
+  double spl = kAbsent;              // success weighted by path length, 0 for a failure
   double clearance_min_m = kAbsent;  // centre to surface of the true world, under way
   double clearance_mean_m = kAbsent;
   double speed_mean_m_s = kAbsent;  // from departure to the verdict

@@ -44,9 +44,21 @@ double speed_max_m_s(std::span<const Tick> ticks) {
   return fastest_m_s;
 }
 
-double spl(bool success, double shortest_m, double flown_m) {
+namespace {
+
+// NaN stays NaN.
+double at_least(double length_m, double least_m) { return length_m < least_m ? least_m : length_m; }
+
+}  // namespace
+
+double spl(bool success, double shortest_m, double flown_m, double goal_tolerance_m) {
   if (!success) return 0;
-  return shortest_m / std::max(flown_m, shortest_m);
+  const double least_m = at_least(shortest_m, goal_tolerance_m);
+  return least_m / std::max(flown_m, least_m);
+}
+
+double path_ratio(double to_goal_m, double shortest_m, double goal_tolerance_m) {
+  return at_least(to_goal_m, goal_tolerance_m) / at_least(shortest_m, goal_tolerance_m);
 }
 
 double mean(std::span<const double> samples) {

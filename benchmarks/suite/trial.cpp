@@ -20,7 +20,7 @@ std::string join(const std::vector<std::string>& words) {
   return text;
 }
 
-void add_metrics(RunRecord& record, const EpisodeLog& log, const Vec2& goal_world) {
+void add_metrics(RunRecord& record, const EpisodeLog& log, const Scenario& scenario) {
   const double arrival_or_end_s = log.end_s;
   const auto last = static_cast<std::size_t>(
       std::count_if(log.ticks.begin(), log.ticks.end(),
@@ -32,10 +32,12 @@ void add_metrics(RunRecord& record, const EpisodeLog& log, const Vec2& goal_worl
   if (success) {
     // The flight ends at the goal's tolerance, the reference at the goal: the rest of the way
     // counts.
-    const double left_m = (flown.back().state.p_world.head<2>() - goal_world).norm();
-    record.path_ratio = (record.path_length_m + left_m) / record.shortest_length_m;
+    const double left_m = (flown.back().state.p_world.head<2>() - scenario.goal_world).norm();
+    record.path_ratio = path_ratio(record.path_length_m + left_m, record.shortest_length_m,
+                                   scenario.goal_tolerance_m);
   }
-  record.spl = spl(success, record.shortest_length_m, record.path_length_m);
+  record.spl =
+      spl(success, record.shortest_length_m, record.path_length_m, scenario.goal_tolerance_m);
   record.clearance_min_m = clearance_min_m(log.ticks);
   record.clearance_mean_m = clearance_mean_m(flown);
   record.speed_mean_m_s = speed_mean_m_s(flown, log.departure_s);
@@ -105,7 +107,7 @@ TrialResult run_trial(const TrialSpec& spec, const PlannerCatalog& planners, boo
   add_solve_ends(result.record, log.solve_ends);
   result.record.map_points = static_cast<std::int64_t>(flight.map.snapshot().points().size());
   result.record.map_obstacles = static_cast<std::int64_t>(flight.map.snapshot().cluster_count());
-  add_metrics(result.record, log, spec.scenario.goal_world);
+  add_metrics(result.record, log, spec.scenario);
   add_times(result.record, log);
   if (keep_trace) result.trace = trace_of(spec, log, flight.map.snapshot());
   return result;

@@ -4,6 +4,8 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include "voronaut/reports/summary/barn_score.h"
+#include "voronaut/reports/summary/path_ratio.h"
 #include "voronaut/reports/summary/summary_text.h"
 #include "voronaut/reports/summary/text_table.h"
 #include "voronaut/tests/reports/synthetic_run.h"
@@ -49,6 +51,26 @@ TEST(Summary, KeepsFailuresInTheDenominator) {
   EXPECT_EQ(a.outcomes[6], 1);
   EXPECT_EQ(a.outcomes[8], 1);
   EXPECT_TRUE(s.totals.empty()) << "one group needs no pooled row";
+}
+
+TEST(PathRatio, AtClearanceIsThatOfTheBodyWhereStartAndGoalAreOnePlace) {
+  RunRecord here = trial("a", "paper-1", 0, Outcome::goal_reached, 1.0);
+  here.shortest_length_m = here.shortest_at_clearance_m = 0;
+  EXPECT_EQ(path_ratio_at_clearance(here), 1);
+  here.shortest_length_m = 8;
+  here.shortest_at_clearance_m = 10;
+  EXPECT_DOUBLE_EQ(path_ratio_at_clearance(here), 0.8);
+}
+
+TEST(BarnScore, IsThatOfTheSlowestWhereThereWasNothingToDo) {
+  RunRecord r = trial("a", "paper-1", 0, Outcome::goal_reached, 1.0);
+  r.shortest_length_m = 10;
+  for (const auto& [duration_s, score] : {std::pair(5.0, 0.5), {20.0, 0.25}, {80.0, 0.125}}) {
+    r.duration_s = duration_s;
+    EXPECT_DOUBLE_EQ(barn_score(r), score);
+  }
+  r.shortest_length_m = 0;
+  EXPECT_DOUBLE_EQ(barn_score(r), 0.125);
 }
 
 TEST(Summary, ATrialThatNeverStartedCountsZeroInTheSpl) {
