@@ -8,6 +8,7 @@
 #include "voronaut/benchmarks/cli/commands.h"
 #include "voronaut/benchmarks/isolation/process_pool.h"
 #include "voronaut/benchmarks/results/output_folder.h"
+#include "voronaut/benchmarks/runner/isolated_world.h"
 #include "voronaut/benchmarks/runner/run_trial.h"
 #include "voronaut/benchmarks/runner/runner.h"
 #include "voronaut/benchmarks/suite/shipped_files.h"
@@ -59,7 +60,7 @@ ExitCode fly(const SuiteConfig& suite, const RunOptions& options, OutputFolder& 
   Progress progress(context.err, isatty(STDERR_FILENO) != 0, SuiteTrials(suite).total(),
                     std::chrono::steady_clock::now());
   const std::size_t jobs = options.jobs > 0 ? options.jobs : ProcessPool::default_jobs();
-  ShortestReferences references = ShortestReferences::exact();
+  ShortestReferences references = isolated_references();
   const RunReport run = run_suite(suite, trial, jobs, references, folder.store(), progress);
   if (run.interrupted) {
     context.err << "voronaut: interrupted; the same command goes on from here" << std::endl;

@@ -18,14 +18,14 @@ std::string join(const std::vector<std::string>& words) {
   return text;
 }
 
-void add_metrics(RunRecord& record, const EpisodeLog& log, const Vec2& goal_world) {
+void add_metrics(RunRecord& record, const EpisodeLog& log, const Scenario& scenario) {
   const double arrival_or_end_s = log.end_s;
   const auto last = static_cast<std::size_t>(
       std::count_if(log.ticks.begin(), log.ticks.end(),
                     [&](const Tick& t) { return t.t_s <= arrival_or_end_s + 1e-9; }));
   const std::span<const Tick> flown(log.ticks.data(), last);
   record.duration_s = arrival_or_end_s;
-  add_path(record, flown, goal_world);
+  add_path(record, flown, scenario);
   record.clearance_smallest_m = clearance_smallest_m(log.ticks);  // while it holds at the goal too
   record.speed_mean_m_s = speed_mean_m_s(flown, log.departure_s);
   record.speed_max_m_s = speed_max_m_s(flown);
@@ -63,7 +63,7 @@ TrialResult run_flown_trial(const TrialSpec& spec, const PlannerCatalog& planner
   add_solve_ends(result.record, log.solve_ends);
   result.record.map_points = static_cast<std::int64_t>(flight.navigator.known().points().size());
   result.record.map_obstacles = static_cast<std::int64_t>(flight.navigator.known().cluster_count());
-  add_metrics(result.record, log, spec.scenario.goal_world);
+  add_metrics(result.record, log, spec.scenario);
   add_times(result.record, log);
   if (keep_trace) result.trace = trace_of(spec, log, flight.navigator.known());
   return result;

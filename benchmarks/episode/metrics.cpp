@@ -45,9 +45,21 @@ double speed_max_m_s(std::span<const Tick> ticks) {
   return fastest_m_s;
 }
 
-double spl(bool success, double shortest_m, double flown_m) {
+namespace {
+
+// NaN stays NaN.
+double at_least(double length_m, double least_m) { return length_m < least_m ? least_m : length_m; }
+
+}  // namespace
+
+double spl(bool success, double shortest_m, double flown_m, double goal_tolerance_m) {
   if (!success) return 0;
-  return shortest_m / std::max(flown_m, shortest_m);
+  const double least_m = at_least(shortest_m, goal_tolerance_m);
+  return least_m / std::max(flown_m, least_m);
+}
+
+double path_ratio(double to_goal_m, double shortest_m, double goal_tolerance_m) {
+  return at_least(to_goal_m, goal_tolerance_m) / at_least(shortest_m, goal_tolerance_m);
 }
 
 double mean(std::span<const double> samples) {
@@ -74,15 +86,17 @@ std::string state_digest(std::span<const Tick> ticks) {
   return text;
 }
 
-void add_path(RunRecord& record, std::span<const Tick> ticks, const Vec2& goal_world) {
+void add_path(RunRecord& record, std::span<const Tick> ticks, const Scenario& scenario) {
   const bool success = record.outcome == Outcome::goal_reached;
   const Vec2 end_world = ticks.back().state.p_world.head<2>();
   record.path_length_m = path_length_m(ticks);
   if (success) {
-    const double left_m = (end_world - goal_world).norm();
-    record.path_ratio = (record.path_length_m + left_m) / record.shortest_length_m;
+    const double left_m = (end_world - scenario.goal_world).norm();
+    record.path_ratio = path_ratio(record.path_length_m + left_m, record.shortest_length_m,
+                                   scenario.goal_tolerance_m);
   }
-  record.spl = spl(success, record.shortest_length_m, record.path_length_m);
+  record.spl =
+      spl(success, record.shortest_length_m, record.path_length_m, scenario.goal_tolerance_m);
   record.clearance_smallest_m = clearance_smallest_m(ticks);
   record.clearance_mean_m = clearance_mean_m(ticks);
   record.end_x_m = end_world.x();

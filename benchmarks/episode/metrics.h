@@ -21,9 +21,14 @@ double clearance_mean_m(std::span<const Tick> ticks);
 double speed_mean_m_s(std::span<const Tick> ticks, double departure_s);
 double speed_max_m_s(std::span<const Tick> ticks);
 
+// Lengths below the goal's tolerance > 0 count as the tolerance, so that who starts at the goal and
+// goes nowhere has taken the shortest path: 0 / 0 is 1. Elsewhere every length is above it.
+//
 // Success weighted by path length (Anderson et al. 2018, arXiv:1807.06757, eq. 1, one term):
 // 0 for a failure, else shortest / max(flown, shortest).
-double spl(bool success, double shortest_m, double flown_m);
+double spl(bool success, double shortest_m, double flown_m, double goal_tolerance_m);
+// Length to the goal over the shortest; NaN without a shortest path.
+double path_ratio(double to_goal_m, double shortest_m, double goal_tolerance_m);
 
 double mean(std::span<const double> samples);
 
@@ -33,6 +38,6 @@ std::string state_digest(std::span<const Tick> ticks);
 
 // The columns of the path of `ticks`, which is not empty; of one that reached the goal the ratio
 // counts the rest of the way: it may end at the goal's tolerance, the reference ends at the goal.
-void add_path(RunRecord& record, std::span<const Tick> ticks, const Vec2& goal_world);
+void add_path(RunRecord& record, std::span<const Tick> ticks, const Scenario& scenario);
 
 }  // namespace voronaut

@@ -4,8 +4,9 @@
 #include <stdexcept>
 
 #include "voronaut/benchmarks/episode/episode_trace.h"
-#include "voronaut/benchmarks/isolation/process_pool.h"
 #include "voronaut/benchmarks/isolation/flight_marks.h"
+#include "voronaut/benchmarks/isolation/process_pool.h"
+#include "voronaut/benchmarks/runner/isolated_world.h"
 #include "voronaut/benchmarks/runner/packed_trial.h"
 #include "voronaut/benchmarks/suite/suite_trials.h"
 #include "voronaut/environments/config/config_node.h"
@@ -77,7 +78,7 @@ class SuiteRun {
         store_(store),
         progress_(progress),
         marks_(store.file().string() + "-in-flight"),
-        trials_(suite) {}
+        trials_(suite, rehearse_in_child()) {}
 
   RunReport report;
 
@@ -92,14 +93,15 @@ class SuiteRun {
         marks_.stored(spec.trial_id);
       } else if (!planned->refusal.empty()) {
         keep({record_of_failure(spec, Outcome::invalid, planned->refusal), {}});
+      } else if (const std::string why = add_references(spec); !why.empty()) {
+        keep({record_of_failure(spec, Outcome::invalid, why), {}});
       } else if (suspicion == FlightMarks::Suspicion::culprit) {
-        references_.add_to(spec);
         keep({record_of_failure(spec, Outcome::crash, kTookTheRunner), {}});
       } else if (suspicion == FlightMarks::Suspicion::suspect) {
-        prepare(spec);
+        draw_world(spec);
         again_.push_back({std::make_shared<const TrialSpec>(std::move(spec)), Flight::suspect});
       } else {
-        prepare(spec);
+        draw_world(spec);
         return job({std::make_shared<const TrialSpec>(std::move(spec)), Flight::first});
       }
     }
@@ -122,8 +124,17 @@ class SuiteRun {
     Flight flight;
   };
 
-  void prepare(TrialSpec& spec) {
-    references_.add_to(spec);
+  // Why there are none, empty if there are.
+  std::string add_references(TrialSpec& spec) {
+    try {
+      references_.add_to(spec);
+      return {};
+    } catch (const std::runtime_error& error) {
+      return error.what();
+    }
+  }
+
+  void draw_world(const TrialSpec& spec) {
     if (spec.world_id == drawn_world_) return;
     store_.insert_world(trace_world(spec.scenario, spec.world_id));
     drawn_world_ = spec.world_id;

@@ -5,8 +5,8 @@
 #include <unistd.h>
 
 #include "voronaut/reports/encoding/deflate.h"
-#include "voronaut/reports/trace/trace_json.h"
 #include "voronaut/reports/record_columns.h"
+#include "voronaut/reports/trace/trace_json.h"
 
 namespace voronaut {
 

@@ -23,9 +23,11 @@ double ended_as(const RunRecord& record) {
 // A trial that never started failed: it counts 0.
 double spl_or_0(const RunRecord& record) { return std::isnan(record.spl) ? 0 : record.spl; }
 
-// What a planner that keeps clearance_min_m could have done at best. Below 1 only for a vehicle
-// that came closer; NaN also where no path has that clearance.
+// What a planner that keeps planning_clearance_m could have done at best. Below 1 only for a vehicle
+// that came closer; NaN also where no path has that clearance. Where start and goal are one place,
+// so are the references: then it is path_ratio.
 double path_ratio_at_clearance(const RunRecord& record) {
+  if (record.shortest_at_clearance_m == 0) return record.path_ratio;
   return record.path_ratio * record.shortest_length_m / record.shortest_at_clearance_m;
 }
 
@@ -36,6 +38,7 @@ double barn_score(const RunRecord& record) {
   if (record.scenario_group != "barn") return kAbsent;
   if (record.outcome != Outcome::goal_reached) return 0;
   const double optimal_s = record.shortest_length_m / 2;
+  if (optimal_s == 0) return 1.0 / 8;  // any time is more than eight times none
   return optimal_s / std::clamp(record.duration_s, 2 * optimal_s, 8 * optimal_s);
 }
 
@@ -51,7 +54,7 @@ const Statistic kStatistics[] = {
     {"path_ratio_median", goal_reached, median, &R::path_ratio, less, 3, "path ratio", kEverywhere, "How long are the paths?"},
     {"path_ratio_mean", goal_reached, mean, &R::path_ratio, less, 3, "path ratio", kEvidence},
     {"path_ratio_p95", goal_reached, p95, &R::path_ratio, less, 3, "path ratio", kText | kPage | kSweep | kEvidence},
-    {"path_ratio_at_clearance_mean", goal_reached, mean, path_ratio_at_clearance, less, 3, "path ratio at clearance_min_m", kEvidence, "", Axis::linear, "path flown, with the straight rest to the goal, over the shortest one at clearance_min_m"},
+    {"path_ratio_at_clearance_mean", goal_reached, mean, path_ratio_at_clearance, less, 3, "path ratio at planning_clearance_m", kEvidence, "", Axis::linear, "path flown, with the straight rest to the goal, over the shortest one at planning_clearance_m"},
     {"spl_mean", all, mean, spl_or_0, more, 3, "SPL", kText | kPage, "", Axis::linear, "success weighted by path length; a failure counts 0"},
     {"duration_median_s", goal_reached, median, &R::duration_s, less, 1, "time to goal", kEverywhere, "How long does it take?"},
     {"clearance_smallest_m", moved, smallest, &R::clearance_smallest_m, more, 3, "clearance", kText | kPage | kEvidence},

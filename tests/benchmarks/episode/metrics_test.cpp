@@ -47,9 +47,22 @@ TEST(Metrics, MeanSpeedCountsFromDeparture) {
 }
 
 TEST(Metrics, SplIsZeroForAFailureAndNeverAboveOne) {
-  EXPECT_DOUBLE_EQ(spl(false, 10, 10), 0.0);
-  EXPECT_DOUBLE_EQ(spl(true, 10, 12.5), 0.8);
-  EXPECT_DOUBLE_EQ(spl(true, 10, 9.9), 1.0);
+  EXPECT_DOUBLE_EQ(spl(false, 10, 10, 0.2), 0.0);
+  EXPECT_DOUBLE_EQ(spl(true, 10, 12.5, 0.2), 0.8);
+  EXPECT_DOUBLE_EQ(spl(true, 10, 9.9, 0.2), 1.0);
+}
+
+TEST(Metrics, WhoStartsAtTheGoalAndGoesNowhereHasTakenTheShortestPath) {
+  for (const double shortest_m : {0.0, 1e-300, 1e-6, 0.2}) {
+    EXPECT_EQ(spl(true, shortest_m, 0, 0.2), 1.0);
+    EXPECT_EQ(spl(true, shortest_m, 1e-17, 0.2), 1.0);
+    EXPECT_EQ(spl(false, shortest_m, 0, 0.2), 0.0);
+    EXPECT_EQ(path_ratio(shortest_m, shortest_m, 0.2), 1.0);
+    EXPECT_DOUBLE_EQ(path_ratio(0.4, shortest_m, 0.2), 2.0) << "twice around the tolerance";
+    EXPECT_DOUBLE_EQ(spl(true, shortest_m, 0.4, 0.2), 0.5);
+  }
+  EXPECT_DOUBLE_EQ(path_ratio(12, 10, 0.2), 1.2);
+  EXPECT_TRUE(std::isnan(path_ratio(12, kAbsent, 0.2))) << "no path is no short path";
 }
 
 TEST(Metrics, MeanOfNothingIsAbsent) {

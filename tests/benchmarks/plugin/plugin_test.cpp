@@ -15,6 +15,7 @@
 namespace voronaut {
 namespace {
 
+using ::testing::AllOf;
 using ::testing::HasSubstr;
 using ::testing::StartsWith;
 
@@ -127,6 +128,53 @@ TEST_F(Plugin, AClaimThatIsNotTrueIsNoSuccessInAStaticTrial) {
             "crash: exception: the planner says 'Exact solution' but has added no geometric path");
   EXPECT_EQ(found.at("open/Homebody"),
             "timeout: Exact solution, but its path does not end at the goal");
+}
+
+// A pillar stands on the straight way.
+TEST_F(Plugin, APathIsJudgedByAProblemThatNoPlannerSawAndNotByWhatIsKept) {
+  const std::string suite =
+      "kind: known\nplanners: [NoNumberFirst, NoNumberOnTheWay, NoNumberInOneAxis, NoNumberLast, "
+      "InfiniteOnTheWay, FarAway, OutOfBounds, Straight, StraightIfAllowed, GoalIsEverywhere, "
+      "GoalIsStart, GoalIsAnother, StartIsGoal]\n"
+      "scenarios: [{name: pillar, world: {circles: [[1, 0.5, 0.2]]}, "
+      "bounds: [[-2, -2], [5, 5]], start: [0, 0], goal: [2, 1]}]\nvehicles: [ideal]\n";
+  const std::string no_place =
+      "crash: exception: the planner says 'Exact solution' but its path has a position that is no "
+      "place";
+  for (const std::string traces : {"none", "all"}) {
+    write("forged.yaml", "suite: " + traces + "\ntraces: " + traces + "\n" + suite);
+    run(VORONAUT_PROGRAM, "run forged.yaml" + kHostile);
+    const auto found = ends("voronaut-results/" + traces);
+    ASSERT_EQ(found.size(), 13U) << said();
+    for (const char* planner : {"NoNumberFirst", "NoNumberOnTheWay", "NoNumberInOneAxis",
+                                "NoNumberLast", "InfiniteOnTheWay", "FarAway"})
+      EXPECT_EQ(found.at(std::string("pillar/") + planner), no_place) << planner << traces;
+    for (const char* planner : {"OutOfBounds", "Straight", "StraightIfAllowed"})
+      EXPECT_EQ(found.at(std::string("pillar/") + planner), "collision: Exact solution")
+          << planner << traces;
+    for (const char* planner : {"GoalIsEverywhere", "GoalIsStart", "GoalIsAnother"})
+      EXPECT_EQ(found.at(std::string("pillar/") + planner),
+                "timeout: Exact solution, but its path does not end at the goal")
+          << planner << traces;
+    EXPECT_EQ(found.at("pillar/StartIsGoal"),
+              "timeout: Exact solution, but its path begins elsewhere")
+        << traces;
+  }
+}
+
+TEST_F(Plugin, NobodyFliesToAGoalThatThePlannerPutElsewhere) {
+  write("flown.yaml",
+        "suite: flown\nplanners: [NoNumberOnTheWay, GoalIsEverywhere, GoalIsStart, GoalIsAnother, "
+        "StartIsGoal]\n" +
+            kOpen);
+  run(VORONAUT_PROGRAM, "run flown.yaml" + kHostile);
+  const auto found = ends("voronaut-results/flown");
+  ASSERT_EQ(found.size(), 5U) << said();
+  EXPECT_THAT(found.at("open/NoNumberOnTheWay"), StartsWith("crash: exception"));
+  for (const char* planner : {"GoalIsEverywhere", "GoalIsStart", "GoalIsAnother", "StartIsGoal"})
+    EXPECT_THAT(found.at(std::string("open/") + planner),
+                AllOf(StartsWith("stuck: stood still"), HasSubstr("Exact solution, but its path")))
+        << planner;
 }
 
 TEST_F(Plugin, AParameterThatAPlannerDoesNotSurviveIsAnErrorOfItsSuite) {

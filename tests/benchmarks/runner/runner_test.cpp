@@ -14,6 +14,7 @@
 #include <unistd.h>
 
 #include "voronaut/benchmarks/results/digest.h"
+#include "voronaut/benchmarks/runner/isolated_world.h"
 #include "voronaut/benchmarks/suite/suite_trials.h"
 #include "voronaut/tests/benchmarks/small_suite.h"
 
@@ -298,6 +299,33 @@ TEST(Runner, ComputesEachReferenceOnce) {
     EXPECT_EQ(record.shortest_length_m, 0.25);
     EXPECT_EQ(record.shortest_at_clearance_m, 0.4);
   }
+}
+
+TEST(Runner, MakesRowsOfAWorldThatEndsTheProcessThatMeasuresItAndGoesOn) {
+  const TemporaryFolder folder;
+  ShortestReferences references =
+      isolated_references([](const Scenario& scenario, double radius_m) {
+        if (scenario.name == "open") std::raise(SIGSEGV);
+        return radius_m;
+      });
+  std::ostringstream out;
+  const SuiteConfig suite = small_suite("deadly", kCalm);
+  Progress progress(out, false, 6, std::chrono::steady_clock::now());
+  ResultStore store = ResultStore::create(folder.path() / "results.db");
+  EXPECT_EQ(run_suite(suite, calm(), 2, references, store, progress).done, 6U);
+  for (const RunRecord& record : store.records()) {
+    const bool open = record.scenario == "open";
+    EXPECT_EQ(record.outcome, open ? Outcome::invalid : Outcome::goal_reached);
+    EXPECT_EQ(record.reason, open ? "the shortest path of its world: ended by SIGSEGV" : "made up");
+    if (!open) EXPECT_EQ(record.shortest_length_m, 0.25);
+  }
+}
+
+TEST(Rehearsal, WarnsOfWhatEndsItsProcessAndOfNothingElse) {
+  const SuiteTrials::Rehearse rehearse = rehearse_in_child();
+  EXPECT_EQ(rehearse([] {}), "");
+  EXPECT_EQ(rehearse([] { throw std::runtime_error("no room"); }), "") << "can be caught here";
+  EXPECT_EQ(rehearse([] { std::abort(); }), "making its world: ended by SIGABRT");
 }
 
 }  // namespace

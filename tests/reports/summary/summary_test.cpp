@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include "voronaut/reports/summary/statistics.h"
 #include "voronaut/reports/summary/summary_text.h"
 #include "voronaut/reports/summary/text_table.h"
 #include "voronaut/tests/reports/synthetic_run.h"
@@ -52,6 +53,29 @@ TEST(Summary, KeepsFailuresInTheDenominator) {
   EXPECT_EQ(a.outcomes[6], 1);
   EXPECT_EQ(a.outcomes[8], 1);
   EXPECT_TRUE(s.totals.empty()) << "one group needs no pooled row";
+}
+
+TEST(PathRatio, AtClearanceIsThatOfTheBodyWhereStartAndGoalAreOnePlace) {
+  RunRecord here = trial("a", "paper-1", 0, Outcome::goal_reached, 1.0);
+  here.shortest_length_m = here.shortest_at_clearance_m = 0;
+  const Statistic& at_clearance = statistic("path_ratio_at_clearance_mean");
+  EXPECT_EQ(value_of(at_clearance, here), 1);
+  here.shortest_length_m = 8;
+  here.shortest_at_clearance_m = 10;
+  EXPECT_DOUBLE_EQ(value_of(at_clearance, here), 0.8);
+}
+
+TEST(BarnScore, IsThatOfTheSlowestWhereThereWasNothingToDo) {
+  RunRecord r = trial("a", "paper-1", 0, Outcome::goal_reached, 1.0);
+  r.scenario_group = "barn";
+  r.shortest_length_m = 10;
+  const Statistic& barn = statistic("barn_score_mean");
+  for (const auto& [duration_s, score] : {std::pair(5.0, 0.5), {20.0, 0.25}, {80.0, 0.125}}) {
+    r.duration_s = duration_s;
+    EXPECT_DOUBLE_EQ(value_of(barn, r), score);
+  }
+  r.shortest_length_m = 0;
+  EXPECT_DOUBLE_EQ(value_of(barn, r), 0.125);
 }
 
 TEST(Summary, ATrialThatNeverStartedCountsZeroInTheSpl) {
