@@ -85,6 +85,44 @@ std::vector<Tick> vertices(const std::vector<Vec2>& path_world, const World& wor
   return ticks;
 }
 
+void add_path(RunRecord& record, const std::vector<Vec2>& path_world, const Scenario& scenario) {
+  const std::vector<Tick> path = vertices(path_world, *scenario.world);
+  const bool success = record.outcome == Outcome::goal_reached;
+  record.spl = 0;
+  if (path.empty()) return;
+  record.path_length_m = path_length_m(path);
+  record.clearance_min_m = clearance_min_m(path);
+  record.clearance_mean_m = clearance_mean_m(path);
+  record.end_x_m = path.back().state.p_world.x();
+  record.end_y_m = path.back().state.p_world.y();
+  record.spl =
+      spl(success, record.shortest_length_m, record.path_length_m, scenario.goal_tolerance_m);
+  if (success) {
+    // As in flight: a path may end at the goal's tolerance, the rest of the way counts.
+    const double left_m = (path_world.back() - scenario.goal_world).norm();
+    record.path_ratio = path_ratio(record.path_length_m + left_m, record.shortest_length_m,
+                                   scenario.goal_tolerance_m);
+  }
+  record.state_digest = state_digest(path);
+}
+
+bool starts_at_goal(const KnownProblem& problem) {
+  const std::vector<Vec2> path{problem.request().start_world};
+  return flaw_of(path, problem.request()).empty() &&
+         is_clear(path, problem.request(), problem.truth());
+}
+
+// Of who is there already: many planners would go round in a circle.
+TrialResult nothing_to_plan(const TrialSpec& spec, bool keep_trace) {
+  const std::vector<Vec2> path{spec.scenario.start_world};
+  TrialResult result{record_before_flight(spec), std::nullopt};
+  result.record.outcome = Outcome::goal_reached;
+  result.record.reason = "starts at the goal";
+  add_path(result.record, path, spec.scenario);
+  if (keep_trace) result.trace = known_trace(spec, Path{}, {}, {});
+  return result;
+}
+
 RunRecord record_of(const TrialSpec& spec, const KnownSolve& solved, const SolutionPath& found,
                     const KnownProblem& unseen) {
   RunRecord record = record_before_flight(spec);
@@ -95,24 +133,7 @@ RunRecord record_of(const TrialSpec& spec, const KnownSolve& solved, const Solut
   ends[static_cast<std::size_t>(solved.report.end)] = 1;
   add_solve_ends(record, ends);
   record.planning_time_us_mean = solved.time_us;
-  const std::vector<Tick> path = vertices(found.p_world, *spec.scenario.world);
-  const bool success = record.outcome == Outcome::goal_reached;
-  record.spl = 0;
-  if (path.empty()) return record;
-  record.path_length_m = path_length_m(path);
-  record.clearance_min_m = clearance_min_m(path);
-  record.clearance_mean_m = clearance_mean_m(path);
-  record.end_x_m = path.back().state.p_world.x();
-  record.end_y_m = path.back().state.p_world.y();
-  const double goal_tolerance_m = spec.scenario.goal_tolerance_m;
-  record.spl = spl(success, record.shortest_length_m, record.path_length_m, goal_tolerance_m);
-  if (success) {
-    // As in flight: a path may end at the goal's tolerance, the rest of the way counts.
-    const double left_m = (path.back().state.p_world.head<2>() - spec.scenario.goal_world).norm();
-    record.path_ratio =
-        path_ratio(record.path_length_m + left_m, record.shortest_length_m, goal_tolerance_m);
-  }
-  record.state_digest = state_digest(path);
+  add_path(record, found.p_world, spec.scenario);
   return record;
 }
 
@@ -120,6 +141,8 @@ RunRecord record_of(const TrialSpec& spec, const KnownSolve& solved, const Solut
 
 TrialResult run_known_trial(const TrialSpec& spec, const PlannerCatalog& planners,
                             bool keep_trace) {
+  const KnownProblem unseen(spec.scenario, spec.vehicle.clearance_min_m);
+  if (starts_at_goal(unseen)) return nothing_to_plan(spec, keep_trace);
   {
     // Untimed: the first solve of a process pays for pages and caches. Of another seed: the
     // processor predicts the branches of a search that it has just done.
@@ -129,7 +152,6 @@ TrialResult run_known_trial(const TrialSpec& spec, const PlannerCatalog& planner
   seed(spec.planner_seed);
   KnownSolve solved(spec, planners, keep_trace);
 
-  const KnownProblem unseen(spec.scenario, spec.vehicle.clearance_min_m);
   const SolutionPath found =
       solution_path(solved.report.status, *solved.problem.definition(),
                     *unseen.space_information()->getStateSpace(), unseen.request(), unseen.truth());
