@@ -59,7 +59,7 @@ std::unique_ptr<Model> make_model(const ModelConfig& config);
 // Throws std::invalid_argument if the regulator does not fit the vehicle's model. `period_s` is the
 // time between two calls of regulate().
 std::unique_ptr<Regulator> make_regulator(const RegulatorConfig& config, const VehicleSpec& vehicle,
-                                          double period_s = 0.01);
+                                          double period_s);
 
 // The law by which a vehicle under a regulator stops: what stopping_distance_m and safe_speed_m_s
 // of stopping.h take.
@@ -74,6 +74,6 @@ StoppingLaw stopping_law(const RegulatorConfig& config, const VehicleSpec& vehic
 // How velocity answers a command under a regulator. Throws like make_regulator, for paper_literal,
 // whose loop is unstable: no stop can be promised for it, and for wheeled vehicles.
 VelocityResponse velocity_response(const RegulatorConfig& config, const VehicleSpec& vehicle,
-                                   double period_s = 0.01);
+                                   double period_s);
 
 }  // namespace voronaut

@@ -7,7 +7,7 @@
 
 namespace voronaut {
 
-// One piece of a path: a straight line or a circular arc, in the world plane.
+// One segment of a path: a straight line or a circular arc, in the world plane.
 struct PathSegment {
   enum class Kind { line, arc };
 
@@ -27,15 +27,15 @@ struct PathProjection {
 };
 
 // What a planner produced and a vehicle follows: connected segments with arc length. Planners make
-// lines; the cart's regulator follows arcs as well, from the coefficients of each piece.
+// lines; the cart's regulator follows arcs as well, from the coefficients of each segment.
 class Path {
  public:
   Path() = default;
 
-  // Straight pieces between consecutive points; repeated points are skipped.
+  // Straight segments between consecutive points; repeated points are skipped.
   static Path through(const std::vector<Eigen::Vector2d>& points);
 
-  // Adds a piece that starts where the path ends (within 1e-6 m, else abort) and computes its
+  // Adds a segment that starts where the path ends (within 1e-6 m, else abort) and computes its
   // length_m. A line of no length is skipped; an arc whose end is its start is the full circle.
   void append(const PathSegment& segment);
 

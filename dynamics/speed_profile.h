@@ -38,7 +38,7 @@ struct SpeedProfileConfig {
 
 class SpeedProfile {
  public:
-  explicit SpeedProfile(const SpeedProfileConfig& config = {});
+  explicit SpeedProfile(const SpeedProfileConfig& config);
 
   // Speed at `distance_m` >= 0 from the target, in [0, max_speed_m_s]. O(1), at most one exp.
   double speed_m_s(double distance_m, double max_speed_m_s) const;

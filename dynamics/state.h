@@ -2,6 +2,7 @@
 
 #include <array>
 #include <optional>
+#include <variant>
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>
@@ -26,19 +27,33 @@ struct VehicleState {
   Eigen::Vector2d heading_world() const;
 };
 
+// The three ways in which a setpoint asks for motion in the plane.
+//
+// Through the target and on to what comes after it.
+struct PassTarget {
+  Eigen::Vector2d p_world = Eigen::Vector2d::Zero();
+  double speed_limit_m_s = 0;  // no faster than this; 0: stand
+  // The segment of the path that the target lies on, for a regulator that follows curves; none
+  // where the target is all there is, as at the end of a path. Others head for the target.
+  std::optional<PathSegment> segment = std::nullopt;
+};
+// To the target, slowing down to rest at it.
+struct RestAtTarget {
+  Eigen::Vector2d p_world = Eigen::Vector2d::Zero();
+  double speed_limit_m_s = 0;
+};
+// With this velocity until the next setpoint: what the safety governor has proved. Speed limit and
+// braking are its business then.
+struct VelocityCommand {
+  Eigen::Vector2d v_world_m_s = Eigen::Vector2d::Zero();
+};
+
 // What navigation asks of the regulator.
 struct Setpoint {
-  Vec3 p_target_world = Vec3::Zero();  // go there
-  double speed_limit_m_s = 0;          // no faster than this
-  bool brake_at_target = false;        // the target is the goal: slow down to rest at it
+  std::variant<PassTarget, RestAtTarget, VelocityCommand> motion = PassTarget{};
+  double height_m = 0;                                       // of the centre of mass
   Eigen::Vector2d heading_world = Eigen::Vector2d::UnitX();  // look there (unit vector)
-  double yaw_rate_rad_s = 0;                                 // feedforward for a turning gaze
-  // Horizontal velocity to hold until the next setpoint, whatever the target: what the safety
-  // governor has proved. Speed limit and braking at the target are its business then.
-  std::optional<Eigen::Vector2d> course_m_s = std::nullopt;
-  // The piece of path that the target lies on, for a regulator that follows curves; none where the
-  // target is all there is, as at the end of a path. Others head for the target.
-  std::optional<PathSegment> piece = std::nullopt;
+  double yaw_rate_rad_s = 0;                                 // feedforward for a turning heading
 };
 
 // What the regulator asks of the model, held for one vehicle step. The model says what the four

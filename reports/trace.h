@@ -41,7 +41,7 @@ struct TraceFrame {
   int replan = -1;                        // index into Trace::replan_reasons, -1: kept its plan
   int solve_end = -1;                     // index into Trace::solve_ends, -1: no solve
   std::size_t known_points = 0;           // how many of Trace::known_points were known by then
-  double governed_share = 1;              // of the speed asked for, as the governor allowed it
+  double speed_scale = 1;                 // of the speed asked for, as the governor allowed it
   std::vector<TracePoint> tube;           // corners of the governor's proved track; empty: none
   // The scan taken now, rightmost beam first; empty: none. Beyond (0, max range): no return.
   std::vector<float> range_m;

@@ -10,8 +10,7 @@
 #include "voronaut/benchmarks/episode/referee.h"
 #include "voronaut/dynamics/path.h"
 #include "voronaut/dynamics/state.h"
-#include "voronaut/planners/navigation/recovery.h"
-#include "voronaut/planners/navigation/replan_policy.h"
+#include "voronaut/planners/navigation/navigation_report.h"
 #include "voronaut/planners/problem/planning_budget.h"
 
 // What happened in an episode, tick by tick: the only source of metrics and traces.
@@ -26,41 +25,35 @@ struct Tick {
 
 // At each scan.
 struct ScanEvent {
-  std::size_t tick = 0;  // index of the state in which the scan was taken
-  Setpoint setpoint;     // in force after it
-  int mode = -1;         // index into EpisodeLog::modes
-  int plan = -1;         // index into EpisodeLog::plans: the one being followed
-  int search = -1;       // index into EpisodeLog::searches: the latest
+  std::size_t tick = 0;                 // index of the state in which the scan was taken
+  Setpoint setpoint;                    // in force after it
+  Vec2 lookahead_world = Vec2::Zero();  // the point that the setpoint heads for
+  int mode = -1;                        // index into EpisodeLog::modes
+  int plan = -1;                        // index into EpisodeLog::plans: the one being followed
+  int search = -1;                      // index into EpisodeLog::searches: the latest
   ReplanReason replan = ReplanReason::none;
   SolveEnd solve_end = SolveEnd::planner;  // of the solve that `replan` asked for
   std::size_t known_points = 0;            // of the map, without virtual obstacles
-  ExecutiveState executive = ExecutiveState::rising;
-  double governed_share = 1;          // of the speed asked for
+  ExecutiveState executive = ExecutiveState::takeoff;
+  double speed_scale = 1;             // of the speed asked for, as the governor allowed it
   std::vector<Eigen::Vector2d> tube;  // the governor's proved track, corners; empty: none
   double planning_time_us = 0;
   std::vector<float> range_m;  // empty unless the episode keeps scans
 };
 
-// Wall time of one stage of the loop, one sample per call.
+// Wall time of one stage of the loop, one sample per start and stop.
 class StageTimes {
  public:
-  template <class Stage>
-  decltype(auto) measure(Stage&& stage) {
-    const Stopwatch watch{*this};
-    return stage();
+  void start() { started_ = Clock::now(); }
+  void stop() {
+    const std::chrono::duration<double, std::micro> spent = Clock::now() - started_;
+    samples_us_.push_back(spent.count());
   }
   const std::vector<double>& samples_us() const { return samples_us_; }
 
  private:
   using Clock = std::chrono::steady_clock;
-  struct Stopwatch {
-    StageTimes& times;
-    Clock::time_point start = Clock::now();
-    ~Stopwatch() {
-      const std::chrono::duration<double, std::micro> spent = Clock::now() - start;
-      times.samples_us_.push_back(spent.count());
-    }
-  };
+  Clock::time_point started_;
   std::vector<double> samples_us_;
 };
 

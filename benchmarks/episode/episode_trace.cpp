@@ -47,10 +47,10 @@ TraceFrame frame_at(const Tick& tick) {
 TraceFrame frame_at(const ScanEvent& event, const Tick& tick) {
   TraceFrame frame = frame_at(tick);
   frame.planning_time_us = event.planning_time_us;
-  frame.target_x_m = event.setpoint.p_target_world.x();
-  frame.target_y_m = event.setpoint.p_target_world.y();
+  frame.target_x_m = event.lookahead_world.x();
+  frame.target_y_m = event.lookahead_world.y();
   frame.plan = event.plan;
-  frame.governed_share = event.governed_share;
+  frame.speed_scale = event.speed_scale;
   for (const Vec2& p : event.tube) frame.tube.push_back(trace_point(p));
   frame.known_points = event.known_points;
   frame.range_m = event.range_m;
@@ -64,10 +64,10 @@ int index_of(const std::string& name, std::vector<std::string>& names) {
   return static_cast<int>(names.size()) - 1;
 }
 
-// What a reader of a replay asks: what does it do now? The executive's state, and under way the
-// planner's mode where it has one.
+// What a reader of a replay asks: what does it do now? The executive's state, and while tracking
+// the planner's mode where it has one.
 std::string shown_mode(const ScanEvent& event, const EpisodeLog& log) {
-  const bool has_mode = event.executive == ExecutiveState::under_way && event.mode >= 0;
+  const bool has_mode = event.executive == ExecutiveState::tracking && event.mode >= 0;
   return has_mode ? log.modes[static_cast<std::size_t>(event.mode)]
                   : std::string(to_string(event.executive));
 }
@@ -119,7 +119,7 @@ Trace trace_of(const TrialSpec& spec, const EpisodeLog& log, const ObstacleSnaps
     end.mode = trace.frames.back().mode;
     end.plan = trace.frames.back().plan;
     end.search = trace.frames.back().search;
-    end.governed_share = trace.frames.back().governed_share;
+    end.speed_scale = trace.frames.back().speed_scale;
   }
   trace.frames.push_back(std::move(end));
   return trace;

@@ -31,9 +31,10 @@ double clearance_mean_m(std::span<const Tick> ticks) {
 double speed_mean_m_s(std::span<const Tick> ticks, double departure_s) {
   const auto first =
       std::ranges::find_if(ticks, [&](const Tick& t) { return t.t_s >= departure_s; });
-  const auto under_way = ticks.subspan(static_cast<std::size_t>(first - ticks.begin()));
-  if (under_way.size() < 2) return 0;
-  return path_length_m(under_way) / (under_way.back().t_s - under_way.front().t_s);
+  const auto after_departure = ticks.subspan(static_cast<std::size_t>(first - ticks.begin()));
+  if (after_departure.size() < 2) return 0;
+  return path_length_m(after_departure) /
+         (after_departure.back().t_s - after_departure.front().t_s);
 }
 
 double speed_max_m_s(std::span<const Tick> ticks) {

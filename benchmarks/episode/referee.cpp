@@ -3,6 +3,8 @@
 #include <cstdio>
 #include <utility>
 
+#include "voronaut/planners/navigation/navigation_report.h"
+
 namespace voronaut {
 
 namespace {
@@ -67,8 +69,10 @@ std::string Referee::refusal() const {
   return refusal_.empty() ? "" : "; the planner refused: " + refusal_;
 }
 
-void Referee::accept_infeasible(double now_s, const std::string& reason) {
-  if (!verdict_ && !arrived_s_) finish(now_s, Outcome::infeasible, reason);
+void Referee::hear(double now_s, const NavigationReport& report) {
+  refusal_ = report.refusal;
+  if (!report.infeasible.empty() && !verdict_ && !arrived_s_)
+    finish(now_s, Outcome::infeasible, report.infeasible);
 }
 
 void Referee::finish(double now_s, Outcome outcome, std::string reason) {

@@ -1,9 +1,9 @@
 #pragma once
 
-#include <memory>
 #include <optional>
 #include <string>
 
+#include "voronaut/benchmarks/episode/ground_truth_collision_checker.h"
 #include "voronaut/benchmarks/episode/loop_config.h"
 #include "voronaut/dynamics/state.h"
 #include "voronaut/environments/scenario.h"
@@ -12,23 +12,7 @@
 
 namespace voronaut {
 
-// Contacts of an upright cylinder with the true world, answered by FCL: an opinion that shares no
-// code with our planners, sensors and clearances. Circles are cylinders, walls and the outlines of
-// polygons are upright rectangles; a body that starts inside a polygon is the scenario's error.
-// Within 1e-5 m of a surface FCL's iterative answer may fall either way.
-class ContactOracle {
- public:
-  ContactOracle(const Shapes& shapes, double body_radius_m);
-  ~ContactOracle();
-
-  // True if the body centred at p touches anything. O(log n) broad phase plus the overlapping
-  // pairs.
-  bool touches(const Vec2& p_world) const;
-
- private:
-  struct Scene;
-  std::unique_ptr<Scene> scene_;
-};
+struct NavigationReport;
 
 struct Verdict {
   Outcome outcome;
@@ -42,11 +26,10 @@ class Referee {
           const LoopConfig& config);
 
   void judge(double now_s, const VehicleState& state);
-  // The planner's own proof that there is no path ends the trial.
-  void accept_infeasible(double now_s, const std::string& reason);
-  // Why the planner would not take the latest problem, empty if it did: who comes to a stop for
+  // What navigation says of itself. The planner's own proof that there is no path ends the trial.
+  // A planner that would not take the latest problem has proved nothing: who comes to a stop for
   // that is stuck, as the world may have a path.
-  void note_refusal(const std::string& why) { refusal_ = why; }
+  void hear(double now_s, const NavigationReport& report);
 
   const std::optional<Verdict>& verdict() const { return verdict_; }
   // When the centre was first within the goal tolerance; empty before.
@@ -61,7 +44,7 @@ class Referee {
 
   const Scenario& scenario_;
   LoopConfig config_;
-  ContactOracle contacts_;
+  GroundTruthCollisionChecker contacts_;
   double time_limit_s_;
   std::optional<double> arrived_s_;
   std::optional<Verdict> verdict_;

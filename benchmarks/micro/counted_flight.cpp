@@ -11,7 +11,7 @@
 namespace voronaut::micro {
 namespace {
 
-constexpr double kPeriodS = 0.01;
+constexpr double kPeriod_s = 0.01;
 
 // A quadrotor under way to targets 3 m apart, as its regulator flies it: what is counted repeats
 // single steps of it.
@@ -19,21 +19,22 @@ struct FlownSteps {
   static constexpr std::size_t kSteps = 5'000;
 
   FlownSteps() : spec(vehicle("quadrotor")), model(make_model(spec.model)) {
-    regulator = make_regulator(voronaut::regulator(spec.regulator), spec, kPeriodS);
+    regulator = make_regulator(voronaut::regulator(spec.regulator), spec, kPeriod_s);
     VehicleState state = model->at_rest(Vec3(0, 0, 1), Vec2(1, 0));
     Command applied = model->hold();
     regulator->reset(state);
     Random random(6);
     Setpoint setpoint;
-    setpoint.speed_limit_m_s = 2;
+    setpoint.height_m = 1;
+    setpoint.motion = PassTarget{Vec2(0, 0), 2};
     for (std::size_t i = 0; i < kSteps; ++i) {
       if (i % 100 == 0)
-        setpoint.p_target_world = Vec3(random.uniform(-3, 3), random.uniform(-3, 3), 1);
+        setpoint.motion = PassTarget{Vec2(random.uniform(-3, 3), random.uniform(-3, 3)), 2};
       states.push_back(state);
       commands.push_back(applied);
       setpoints.push_back(setpoint);
       const Command command = regulator->regulate(setpoint, state);
-      state = model->step(state, applied, kPeriodS);
+      state = model->step(state, applied, kPeriod_s);
       applied = command;
     }
     regulator->reset(states.front());
@@ -51,7 +52,7 @@ class VehicleStepWork : public CountedWork {
  public:
   bool prepare() override { return next_ < FlownSteps::kSteps; }
   std::size_t run() override {
-    end_ = flown_.model->step(flown_.states[next_], flown_.commands[next_], kPeriodS);
+    end_ = flown_.model->step(flown_.states[next_], flown_.commands[next_], kPeriod_s);
     ++next_;
     return 1;
   }
@@ -79,7 +80,7 @@ class RegulateWork : public CountedWork {
 
 // An alley of posts, one every 2.7 m to each side, irregularly placed, as long as 2 m/s need.
 Scenario alley(std::size_t steps) {
-  const double length_m = 2.0 * kPeriodS * static_cast<double>(steps) + 50;
+  const double length_m = 2.0 * kPeriod_s * static_cast<double>(steps) + 50;
   Random random(7);
   std::vector<Circle> posts;
   for (double x_m = 3; x_m < length_m; x_m += 2.7) {
@@ -102,7 +103,7 @@ TrialSpec reactive_trial(std::size_t steps) {
   spec.regulator_name = spec.vehicle.regulator;
   spec.regulator = regulator(spec.regulator_name);
   spec.planner = {"repaired", "ReactiveVoronoi", {{"preset", "repaired"}}};
-  spec.range_finder.rate_hz = 1 / kPeriodS;
+  spec.range_finder.rate_hz = 1 / kPeriod_s;
   spec.range_finder.rays = 181;
   spec.shortest_length_m = spec.scenario.goal_world.x();
   return spec;
@@ -114,27 +115,24 @@ class ClosedLoopWork : public CountedWork {
       : last_(skipped + steps),
         spec_(reactive_trial(last_)),
         flight_(spec_, planners_, false),
-        state_(flight_.model->at_rest(Vec3(0, 0, spec_.scenario.start_height_m), Vec2(1, 0))),
+        state_(flight_.at_start()),
         applied_(flight_.model->hold()) {
+    flight_.navigator.observe(nullptr);  // the recorder's share is not counted
     flight_.regulator->reset(state_);
-    flight_.log.ticks.resize(1);
     while (tick_ < skipped) run();
   }
   bool prepare() override {
-    // The log's own share, and what a standstill would make cheap.
-    if (flight_.log.scans.size() > 2) flight_.log.scans.erase(flight_.log.scans.begin());
-    if (tick_ == last_ && state_.p_world.x() < 0.5 * kPeriodS * static_cast<double>(last_))
+    // What a standstill would make cheap.
+    if (tick_ == last_ && state_.p_world.x() < 0.5 * kPeriod_s * static_cast<double>(last_))
       throw std::logic_error("the vehicle of the closed loop does not get on");
     return tick_ < last_;
   }
   std::size_t run() override {
-    const double now_s = kPeriodS * static_cast<double>(tick_++);
-    flight_.sense(state_, now_s);
-    flight_.update_map();
-    flight_.plan(state_, now_s);
-    const Setpoint setpoint = flight_.navigate(state_, now_s);
+    const double now_s = kPeriod_s * static_cast<double>(tick_++);
+    const Scan& scan = flight_.sense(state_, now_s);
+    const Setpoint setpoint = flight_.navigator.update(scan, state_, now_s);
     const Command command = flight_.regulator->regulate(setpoint, state_);
-    state_ = flight_.model->step(state_, applied_, kPeriodS);
+    state_ = flight_.model->step(state_, applied_, kPeriod_s);
     applied_ = command;
     return 1;
   }

@@ -21,14 +21,25 @@ TrialSpec governed_trial() {
   spec.planner = {"VoronoiRoadmap", "VoronoiRoadmap", {}};
   spec.range_finder.rays = 91;
   spec.navigation.governor = spec.navigation.look_around = spec.navigation.recovery = true;
-  spec.navigation.gaze = Gaze::path;
+  spec.navigation.yaw_policy = YawReference::path;
   spec.shortest_length_m = 15;
   return spec;
 }
 
+// The navigator keeps its known-free space to itself; what bringing it up to date costs is counted
+// on a second one, which sees the same scans.
+FreeSpace free_space_of(const NavigatorConfig& config) {
+  const Vec2 rim(config.vehicle.clearance_min_m, config.vehicle.clearance_min_m);
+  const Bounds& bounds = config.mission.bounds_world;
+  return FreeSpace({bounds.min - rim, bounds.max + rim});
+}
+
 class GovernedCycle : public CountedWork {
  public:
-  GovernedCycle() { flight_.regulator->reset(state_); }
+  GovernedCycle() {
+    flight_.navigator.observe(nullptr);
+    flight_.regulator->reset(state_);
+  }
 
   // Flies on to the next scan after departure, up to where navigation is asked.
   bool prepare() override {
@@ -36,21 +47,20 @@ class GovernedCycle : public CountedWork {
       if (navigated_) finish_step();
       navigated_ = true;
       if (flight_.referee.verdict()) return false;
-      flight_.log.ticks.push_back({now_s(), state_, 0});
       const bool scanned = flight_.scan_is_due(tick_);
       if (scanned) {
-        flight_.sense(state_, now_s());
-        flight_.update_map();
-        flight_.plan(state_, now_s());
+        flight_.navigator.map(flight_.sense(state_, now_s()));
+        flight_.navigator.plan(state_, now_s());
+        free_space_.update(flight_.scan);
       }
-      if (scanned && flight_.departed) return true;
-      setpoint_ = flight_.navigate(state_, now_s());
+      if (scanned && flight_.navigator.report().departed_s) return true;
+      setpoint_ = flight_.navigator.steer(state_, now_s());
     }
   }
   // Known-free space has this scan already; taking it again costs the same.
   std::size_t run() override {
-    flight_.free_space.update(flight_.scan);
-    setpoint_ = flight_.navigate(state_, now_s());
+    free_space_.update(flight_.scan);
+    setpoint_ = flight_.navigator.steer(state_, now_s());
     return 1;
   }
 
@@ -60,6 +70,7 @@ class GovernedCycle : public CountedWork {
     const Command command = flight_.regulator->regulate(setpoint_, state_);
     state_ = flight_.model->step(state_, applied_, spec_.loop.vehicle_period_s);
     applied_ = command;
+    flight_.referee.hear(now_s(), flight_.navigator.report());
     ++tick_;
     flight_.referee.judge(now_s(), state_);
   }
@@ -67,10 +78,8 @@ class GovernedCycle : public CountedWork {
   TrialSpec spec_ = governed_trial();
   PlannerCatalog planners_ = PlannerCatalog::built_in();
   Flight flight_{spec_, planners_, false};
-  VehicleState state_ =
-      flight_.model->at_rest(Vec3(spec_.scenario.start_world.x(), spec_.scenario.start_world.y(),
-                                  spec_.scenario.start_height_m),
-                             spec_.scenario.start_heading);
+  FreeSpace free_space_ = free_space_of(navigator_config(spec_));
+  VehicleState state_ = flight_.at_start();
   Command applied_ = flight_.model->hold();
   Setpoint setpoint_;
   std::size_t tick_ = 0;

@@ -9,6 +9,8 @@
 namespace voronaut::micro {
 namespace {
 
+constexpr double kPeriod_s = 0.01;
+
 // Evenly placed obstacles on the way from (0, 0) to (10, 10), as in the scene paper-even.
 Scenario even_obstacles() {
   std::vector<Circle> circles;
@@ -59,18 +61,18 @@ BENCHMARK(closed_loop)->Arg(91)->Arg(181)->Unit(benchmark::kMillisecond);
 void vehicle_step(benchmark::State& state) {
   const VehicleSpec spec = vehicle("quadrotor");
   const std::unique_ptr<Model> model = make_model(spec.model);
-  const auto law = make_regulator(regulator(spec.regulator), spec);
+  const auto law = make_regulator(regulator(spec.regulator), spec, kPeriod_s);
   VehicleState at = model->at_rest(Vec3(0, 0, 1), Vec2(1, 0));
   Command command = model->hold();
   law->reset(at);
   Setpoint setpoint;
-  setpoint.speed_limit_m_s = 2;
+  setpoint.height_m = 1;
   const bool regulated = state.range(0) == 1;
   std::size_t steps = 0;
   for (auto _ : state) {
-    setpoint.p_target_world = Vec3(++steps / 200 % 2 == 0 ? 3 : 0, 0, 1);
+    setpoint.motion = PassTarget{Vec2(++steps / 200 % 2 == 0 ? 3 : 0, 0), 2};
     if (regulated) command = law->regulate(setpoint, at);
-    at = model->step(at, command, 0.01);
+    at = model->step(at, command, kPeriod_s);
     benchmark::DoNotOptimize(at);
   }
 }

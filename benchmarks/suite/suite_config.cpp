@@ -99,9 +99,10 @@ void require_drivable(const ConfigNode& root, const SuiteConfig& suite) {
       throw said_at("governor")
           .error("the governor proves no stop for " + who +
                  ", which cannot move sideways (allowed: false)");
-    if (navigation.gaze != Gaze::path)
-      throw said_at("gaze").error("navigation.gaze 'fixed' is not for " + who +
-                                  ", which looks where it drives (allowed: path)");
+    if (navigation.yaw_policy != YawReference::path)
+      throw said_at("yaw_policy")
+          .error("navigation.yaw_policy 'fixed' is not for " + who +
+                 ", which looks where it drives (allowed: path)");
   }
 }
 

@@ -76,8 +76,8 @@ struct SuiteConfig {
 //   claims: [{planner: RRTConnect, outcome_share_min: 1}]   keys of Claim
 //
 // and everything it names. A cart drives at height 0 whatever the scenario's heights; its suites
-// say `navigation: {gaze: path}` and no governor. Each planner is made once, in a process of its
-// own, and given its parameters, each vehicle and regulator is built, so that what is wrong is
+// say `navigation: {yaw_policy: path}` and no governor. Each planner is made once, in a process of
+// its own, and given its parameters, each vehicle and regulator is built, so that what is wrong is
 // found here. Throws ConfigError.
 SuiteConfig read_suite(const ConfigNode& root, const std::string& data_argument,
                        const PlannerCatalog& planners);

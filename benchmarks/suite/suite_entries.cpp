@@ -140,7 +140,10 @@ VehicleEntry read_vehicle(const ConfigNode& entry) {
     throw entry.error("clearance_min_m " + number_text(read.vehicle.clearance_min_m) +
                       " is less than body_radius_m " + number_text(read.vehicle.body_radius_m));
   at(entry, [&] { make_model(read.vehicle.model); });
-  at(regulator_node.value_or(entry), [&] { make_regulator(read.regulator, read.vehicle); });
+  // Whether they fit each other; at which period they do is no part of that.
+  const double any_period_s = LoopConfig{}.vehicle_period_s;
+  at(regulator_node.value_or(entry),
+     [&] { make_regulator(read.regulator, read.vehicle, any_period_s); });
   return read;
 }
 

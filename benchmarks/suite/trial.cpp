@@ -103,13 +103,13 @@ TrialResult run_trial(const TrialSpec& spec, const PlannerCatalog& planners, boo
   result.record.reason = log.verdict.reason;
   result.record.replans = log.replans;
   result.record.modes = join(log.modes);
-  result.record.state_checks = static_cast<std::int64_t>(flight.problem.state_checks());
+  result.record.state_checks = static_cast<std::int64_t>(flight.navigator.state_checks());
   add_solve_ends(result.record, log.solve_ends);
-  result.record.map_points = static_cast<std::int64_t>(flight.map.snapshot().points().size());
-  result.record.map_obstacles = static_cast<std::int64_t>(flight.map.snapshot().cluster_count());
+  result.record.map_points = static_cast<std::int64_t>(flight.navigator.known().points().size());
+  result.record.map_obstacles = static_cast<std::int64_t>(flight.navigator.known().cluster_count());
   add_metrics(result.record, log, spec.scenario);
   add_times(result.record, log);
-  if (keep_trace) result.trace = trace_of(spec, log, flight.map.snapshot());
+  if (keep_trace) result.trace = trace_of(spec, log, flight.navigator.known());
   return result;
 }
 

@@ -13,17 +13,20 @@ constexpr double kMaxClimb_m_s = 1;
 
 Eigen::Vector2d desired_velocity(const Setpoint& setpoint, const VehicleState& state,
                                  const SpeedProfile& profile, double max_speed_m_s) {
-  if (setpoint.course_m_s) return *setpoint.course_m_s;
-  const Eigen::Vector2d to_target = (setpoint.p_target_world - state.p_world).head<2>();
-  const double speed_m_s = std::min(setpoint.speed_limit_m_s, max_speed_m_s);
-  if (setpoint.brake_at_target) return profile.velocity_m_s(to_target, speed_m_s);
+  if (const auto* command = std::get_if<VelocityCommand>(&setpoint.motion))
+    return command->v_world_m_s;
+  const Eigen::Vector2d p = state.p_world.head<2>();
+  if (const auto* rest = std::get_if<RestAtTarget>(&setpoint.motion))
+    return profile.velocity_m_s(rest->p_world - p, std::min(rest->speed_limit_m_s, max_speed_m_s));
+  const PassTarget& pass = std::get<PassTarget>(setpoint.motion);
+  const Eigen::Vector2d to_target = pass.p_world - p;
   const double distance_m = to_target.norm();
   if (distance_m == 0) return Eigen::Vector2d::Zero();
-  return to_target * (speed_m_s / distance_m);
+  return to_target * (std::min(pass.speed_limit_m_s, max_speed_m_s) / distance_m);
 }
 
 double desired_climb_m_s(const Setpoint& setpoint, const VehicleState& state, double gain_1_s) {
-  const double error_m = setpoint.p_target_world.z() - state.p_world.z();
+  const double error_m = setpoint.height_m - state.p_world.z();
   return std::clamp(gain_1_s * error_m, -kMaxClimb_m_s, kMaxClimb_m_s);
 }
 

@@ -26,8 +26,7 @@ Command PaperLiteral::regulate(const Setpoint& setpoint, const VehicleState& sta
       config_.horizontal_kd / period_s_ * (state.v_world - previous_.v_world).head<2>();
 
   RotorDemand demand;
-  demand.collective = hover_rad_s_ +
-                      config_.height_kp * (setpoint.p_target_world.z() - state.p_world.z()) -
+  demand.collective = hover_rad_s_ + config_.height_kp * (setpoint.height_m - state.p_world.z()) -
                       config_.height_kd / period_s_ * (state.p_world.z() - previous_.p_world.z());
   demand.forward = push.dot(ahead_world_);
   demand.right = push.x() * ahead_world_.y() - push.y() * ahead_world_.x();

@@ -39,7 +39,7 @@ class PaperLiteral : public Regulator {
  public:
   // `period_s` is the time between two calls.
   PaperLiteral(const PaperLiteralConfig& config, const QuadrotorConfig& vehicle,
-               const MotionLimits& limits, double period_s = 0.01);
+               const MotionLimits& limits, double period_s);
 
   void reset(const VehicleState& state) override;
   Command regulate(const Setpoint& setpoint, const VehicleState& state) override;

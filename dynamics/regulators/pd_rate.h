@@ -83,7 +83,7 @@ class PdRate : public Regulator {
  public:
   // `period_s` is the time between two calls.
   PdRate(const PdRateConfig& config, const QuadrotorConfig& vehicle, const MotionLimits& limits,
-         double period_s = 0.01);
+         double period_s);
 
   void reset(const VehicleState& state) override;
   Command regulate(const Setpoint& setpoint, const VehicleState& state) override;

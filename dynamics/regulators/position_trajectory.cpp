@@ -16,6 +16,14 @@ constexpr double kSlow_m_s = 0.1;
 // Of the gradient of psi, 1 on the curve: nearer to the centre of an arc it has no direction.
 constexpr double kNoDirection = 1e-3;
 
+// Puts the target of a setpoint elsewhere.
+struct Moved {
+  Vector2d p_world;
+  void operator()(PassTarget& target) const { target.p_world = p_world; }
+  void operator()(RestAtTarget& target) const { target.p_world = p_world; }
+  void operator()(VelocityCommand&) const {}
+};
+
 Vector2d left_of(const Vector2d& v) { return {-v.y(), v.x()}; }
 
 }  // namespace
@@ -38,15 +46,13 @@ PositionTrajectory::Motion PositionTrajectory::motion_of(const VehicleState& sta
   return now;
 }
 
-// The setpoint for the control point: as far beyond the target as it is ahead of the axle. Nearer
+// The target for the control point: as far beyond the axle's as it is ahead of the axle. Nearer
 // than that, the direction of the target says nothing any more.
-Setpoint PositionTrajectory::beyond(const Setpoint& setpoint, const Vector2d& p_world) {
-  const Vector2d way = setpoint.p_target_world.head<2>() - p_world;
+Vector2d PositionTrajectory::beyond(const Vector2d& target_world, const Vector2d& p_world) {
+  const Vector2d way = target_world - p_world;
   const double distance_m = way.norm();
   if (distance_m > config_.control_point_ahead_m) approach_ = way / distance_m;
-  Setpoint moved = setpoint;
-  moved.p_target_world.head<2>() += config_.control_point_ahead_m * approach_;
-  return moved;
+  return target_world + config_.control_point_ahead_m * approach_;
 }
 
 bool PositionTrajectory::must_turn(const Motion& now, const Vector2d& towards) {
@@ -98,40 +104,52 @@ PositionTrajectory::Rates PositionTrajectory::accelerate(Vector2d acceleration_m
           (acceleration_m_s2.dot(now.left) - now.v_m_s * now.w_rad_s) / h_m};
 }
 
+PositionTrajectory::Rates PositionTrajectory::hold(const Vector2d& v_world_m_s, const Motion& now) {
+  if (v_world_m_s.norm() > 0 && must_turn(now, v_world_m_s.normalized()))
+    return turn_on_the_spot({.heading_world = v_world_m_s.normalized()}, now);
+  return accelerate(config_.point_gain_1_s * (v_world_m_s - now.velocity_m_s), now);
+}
+
+std::optional<PositionTrajectory::Rates> PositionTrajectory::along(const PathSegment& segment,
+                                                                   double speed_m_s,
+                                                                   const Motion& now) {
+  const PathForm form = PathForm::of(segment);
+  const Vector2d gradient = form.gradient(now.p_m);
+  if (gradient.norm() <= kNoDirection) return std::nullopt;
+  const Vector2d tangent = form.tangent(gradient);
+  approach_ = tangent;
+  if (must_turn(now, tangent)) return turn_on_the_spot({.heading_world = tangent}, now);
+  return accelerate(follow(form, now, std::min(speed_m_s, limits_.max_speed_m_s)), now);
+}
+
 PositionTrajectory::Rates PositionTrajectory::wanted(const Setpoint& setpoint,
                                                      const VehicleState& state) {
   const Motion now = motion_of(state);
-  const bool told_to_stand = setpoint.speed_limit_m_s <= 0 && !setpoint.course_m_s;
-  if (told_to_stand) {
+  if (const auto* command = std::get_if<VelocityCommand>(&setpoint.motion))
+    return hold(command->v_world_m_s, now);
+  const auto* pass = std::get_if<PassTarget>(&setpoint.motion);
+  const auto* rest = std::get_if<RestAtTarget>(&setpoint.motion);
+  const double speed_limit_m_s = pass ? pass->speed_limit_m_s : rest->speed_limit_m_s;
+  if (speed_limit_m_s <= 0) {
     turning_ = false;
     return turn_on_the_spot(setpoint, now);
   }
-  const auto turn_towards = [&](const Vector2d& towards) {
-    return turn_on_the_spot({.heading_world = towards}, now);
-  };
-  if (setpoint.piece && !setpoint.course_m_s) {
-    const PathForm form = PathForm::of(*setpoint.piece);
-    const Vector2d gradient = form.gradient(now.p_m);
-    if (gradient.norm() > kNoDirection) {
-      const Vector2d tangent = form.tangent(gradient);
-      approach_ = tangent;
-      if (must_turn(now, tangent)) return turn_towards(tangent);
-      const double speed_m_s = std::min(setpoint.speed_limit_m_s, limits_.max_speed_m_s);
-      return accelerate(follow(form, now, speed_m_s), now);
-    }
+  if (pass && pass->segment) {
+    if (const auto rates = along(*pass->segment, speed_limit_m_s, now)) return *rates;
   }
   const Vector2d p = state.p_world.head<2>();
-  const Vector2d way = setpoint.p_target_world.head<2>() - p;
-  const bool near = way.norm() <= config_.control_point_ahead_m;
+  const Vector2d target = pass ? pass->p_world : rest->p_world;
+  const Vector2d way = target - p;
   VehicleState at_control_point = state;
   at_control_point.p_world.head<2>() = now.p_m;
+  Setpoint moved = setpoint;
+  std::visit(Moved{beyond(target, p)}, moved.motion);
   const Vector2d v_desired =
-      desired_velocity(beyond(setpoint, p), at_control_point, profile_, limits_.max_speed_m_s);
-  const Vector2d towards = setpoint.course_m_s ? *setpoint.course_m_s : way;
-  if (near && !setpoint.course_m_s) {
+      desired_velocity(moved, at_control_point, profile_, limits_.max_speed_m_s);
+  if (way.norm() <= config_.control_point_ahead_m) {
     turning_ = false;
-  } else if (towards.norm() > 0 && must_turn(now, towards.normalized())) {
-    return turn_towards(towards.normalized());
+  } else if (must_turn(now, way.normalized())) {
+    return turn_on_the_spot({.heading_world = way.normalized()}, now);
   }
   return accelerate(config_.point_gain_1_s * (v_desired - now.velocity_m_s), now);
 }

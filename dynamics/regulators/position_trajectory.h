@@ -1,5 +1,7 @@
 #pragma once
 
+#include <optional>
+
 #include "voronaut/dynamics/limits.h"
 #include "voronaut/dynamics/models/cart.h"
 #include "voronaut/dynamics/regulator.h"
@@ -39,12 +41,13 @@ struct PositionTrajectoryConfig {
 // the control point P, `control_point_ahead_m` ahead of the axle, whose acceleration is linear in
 // the motors' torques with a matrix that is never singular.
 //
-// - A setpoint with a piece of path (line or arc) is followed in trajectory mode: with the forms of
+// - A setpoint with a segment of a path (line or arc) is followed in trajectory mode: with the
+// forms of
 //   path_form.h,  psi'' + T2 psi' + sat(T1 psi) = 0  and  e' + T3 e = 0  for the speed error e.
 //   The axle follows inside of an arc, on the radius sqrt(R^2 - h^2).
 // - One without is driven to in position mode. P aims as far beyond the target as it is ahead of
 //   the axle, so it is the axle that comes to rest there.
-// - What lies behind is turned to on the spot first. Told to stand (speed limit 0, no course), it
+// - What lies behind is turned to on the spot first. Told to stand (speed limit 0), it
 //   brakes and turns to the setpoint's heading; under way it looks where it drives.
 //
 // |P''| is held within the vehicle's acceleration, the voltages within theirs, both scaled together
@@ -54,7 +57,7 @@ class PositionTrajectory : public Regulator {
  public:
   // `period_s` is the time between two calls.
   PositionTrajectory(const PositionTrajectoryConfig& config, const CartConfig& vehicle,
-                     const MotionLimits& limits, double period_s = 0.01)
+                     const MotionLimits& limits, double period_s)
       : config_(config),
         limits_(limits),
         period_s_(period_s),
@@ -78,12 +81,15 @@ class PositionTrajectory : public Regulator {
   };
 
   Motion motion_of(const VehicleState& state) const;
-  Setpoint beyond(const Setpoint& setpoint, const Eigen::Vector2d& p_world);
+  Eigen::Vector2d beyond(const Eigen::Vector2d& target_world, const Eigen::Vector2d& p_world);
   bool must_turn(const Motion& now, const Eigen::Vector2d& towards);
   Eigen::Vector2d follow(const PathForm& form, const Motion& now, double speed_m_s) const;
   Rates turn_on_the_spot(const Setpoint& setpoint, const Motion& now) const;
   Rates accelerate(Eigen::Vector2d acceleration_m_s2, const Motion& now) const;
   Rates wanted(const Setpoint& setpoint, const VehicleState& state);
+  Rates hold(const Eigen::Vector2d& v_world_m_s, const Motion& now);
+  // None where the segment has no direction: at the centre of an arc.
+  std::optional<Rates> along(const PathSegment& segment, double speed_m_s, const Motion& now);
 
   PositionTrajectoryConfig config_;
   MotionLimits limits_;

@@ -12,16 +12,17 @@ namespace voronaut {
 //
 // Slower than this, a flight strays so little from its predicted direction that leaving is safe.
 inline constexpr double kDepartureSpeed_m_s = 0.4;
-// A course leads away from a place if each step along it takes it this share of its length farther
-// from the plane through the body's centre that faces the place.
-inline constexpr double kDepartureShare = 0.3;
+// A command leads away from a place if each step along it takes it this fraction of its length
+// farther from the plane through the body's centre that faces the place.
+inline constexpr double kDepartureFraction = 0.3;
 // A track may first drift so far with what speed there is.
 inline constexpr double kDepartureDrift_m = 0.003;
 
-// Whether the course [m/s] leads away from every place and so does the track [m, world] predicted
+// Whether the command [m/s] leads away from every place and so does the track [m, world] predicted
 // for it, whose first corner is the body's centre now: no disc around a place comes closer to it,
 // up to the drift. The flight comes at most 1 cm closer to any of them, see
 // tests/planners/navigation/departure_test.cpp. O(places x corners).
-bool leads_away(const Vec2& course_m_s, std::span<const Vec2> track, std::span<const Vec2> places);
+bool leads_away(const Vec2& v_command_m_s, std::span<const Vec2> track,
+                std::span<const Vec2> places);
 
 }  // namespace voronaut

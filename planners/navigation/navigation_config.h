@@ -2,8 +2,8 @@
 
 namespace voronaut {
 
-// How gaze is steered.
-enum class Gaze {
+// What the heading follows.
+enum class YawReference {
   fixed,  // towards the goal as seen from the start (the papers: yaw does not change)
   path,   // along the path, a little ahead of the vehicle
 };
@@ -16,9 +16,9 @@ enum class SpeedRule {
 
 // The executive's policies; the same for every planner of a suite.
 struct NavigationConfig {
-  Gaze gaze = Gaze::fixed;
+  YawReference yaw_policy = YawReference::fixed;
   SpeedRule speed_rule = SpeedRule::unlimited;
-  bool governor = false;           // let only such courses pass from which a stop is safe
+  bool governor = false;           // let only such commands pass from which a stop is safe
   bool look_around = false;        // turn once around before setting off
   bool recovery = false;           // do something about it when the vehicle stands still
   double stall_timeout_s = 1.5;    // recovery: standing still for so long is a stall
@@ -31,7 +31,8 @@ struct NavigationConfig {
 
   template <class Visitor>
   void visit(Visitor& v) {
-    v.choice("gaze", gaze, {{"fixed", Gaze::fixed}, {"path", Gaze::path}});
+    v.choice("yaw_policy", yaw_policy,
+             {{"fixed", YawReference::fixed}, {"path", YawReference::path}});
     v.choice(
         "speed_rule", speed_rule,
         {{"unlimited", SpeedRule::unlimited}, {"stopping_distance", SpeedRule::stopping_distance}});

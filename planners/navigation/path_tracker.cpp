@@ -14,9 +14,9 @@ constexpr double kProjectionWindow_m = 1.0;
 
 }  // namespace
 
-void PathTracker::follow(Path path, bool ends_at_goal) {
+void PathTracker::follow(Path path, PathEnd end) {
   path_ = std::move(path);
-  ends_at_goal_ = ends_at_goal;
+  end_ = end;
   station_m_ = 0;
   distance_off_path_m_ = 0;
 }
@@ -29,12 +29,12 @@ void PathTracker::advance(const Eigen::Vector2d& p_world) {
   distance_off_path_m_ = projection.distance_m;
 }
 
-Aim PathTracker::aim(const Eigen::Vector2d& p_world, double speed_m_s,
-                     const ObstacleSnapshot& known, double clearance_m) const {
-  Aim aim;
+LookaheadPoint PathTracker::lookahead(const Eigen::Vector2d& p_world, double speed_m_s,
+                                      const ObstacleSnapshot& known, double clearance_m) const {
+  LookaheadPoint point;
   if (path_.empty()) {
-    aim.p_target_world = p_world;
-    return aim;
+    point.p_world = p_world;
+    return point;
   }
   double lookahead_m = config_.lookahead_base_m + config_.lookahead_per_speed_s * speed_m_s;
   // Cutting a corner is fine as long as the cut is clear; a quarter of the base always remains.
@@ -44,17 +44,19 @@ Aim PathTracker::aim(const Eigen::Vector2d& p_world, double speed_m_s,
     lookahead_m *= 0.7;
   }
   const double target_m = station_m_ + lookahead_m;
-  aim.p_target_world = path_.point_at(target_m);
-  aim.at_goal = ends_at_goal_ && target_m >= path_.length_m();
-  if (target_m < path_.length_m()) aim.piece = path_.segment_at(target_m);
-  aim.speed_limit_m_s =
+  point.p_world = path_.point_at(target_m);
+  if (target_m < path_.length_m())
+    point.segment = path_.segment_at(target_m);
+  else
+    point.end = end_;
+  point.speed_limit_m_s =
       corner_speed_limit_m_s(path_, station_m_, max_speed_m_s_, config_.corner_deceleration_m_s2);
-  if (ends_at_goal_) {
+  if (end_ == PathEnd::goal) {
     const double to_go_m = remaining_m() + distance_off_path_m_;
-    aim.speed_limit_m_s =
-        std::min(aim.speed_limit_m_s, goal_profile_.speed_m_s(to_go_m, max_speed_m_s_));
+    point.speed_limit_m_s =
+        std::min(point.speed_limit_m_s, goal_profile_.speed_m_s(to_go_m, max_speed_m_s_));
   }
-  return aim;
+  return point;
 }
 
 double corner_speed_limit_m_s(const Path& path, double station_m, double max_speed_m_s,

@@ -9,13 +9,19 @@
 
 namespace voronaut {
 
+// What is at the end of a path.
+enum class PathEnd {
+  goal,  // brake to rest there
+  leg,   // a further leg will follow
+};
+
 // Where to go now, and how fast at most.
-struct Aim {
-  Eigen::Vector2d p_target_world = Eigen::Vector2d::Zero();
+struct LookaheadPoint {
+  Eigen::Vector2d p_world = Eigen::Vector2d::Zero();
   double speed_limit_m_s = 0;
-  bool at_goal = false;  // the target is the goal itself: come to rest there
-  // The piece of path that holds the target; none at the end of the path.
-  std::optional<PathSegment> piece = std::nullopt;
+  PathEnd end = PathEnd::leg;  // goal: the point is the goal itself, come to rest there
+  // The segment of the path that holds the point; none at the end of the path.
+  std::optional<PathSegment> segment = std::nullopt;
 };
 
 // Follows a path by projecting the vehicle on what lies ahead of it, never on what is behind: with
@@ -26,8 +32,8 @@ class PathTracker {
               double max_speed_m_s)
       : config_(config), goal_profile_(goal_profile), max_speed_m_s_(max_speed_m_s) {}
 
-  // Follow this path from its start. `ends_at_goal`: brake to rest at its end.
-  void follow(Path path, bool ends_at_goal);
+  // Follow this path from its start.
+  void follow(Path path, PathEnd end);
   void drop() { path_ = Path(); }
 
   bool has_path() const { return !path_.empty(); }
@@ -41,15 +47,15 @@ class PathTracker {
 
   // The point to head for: lookahead_base_m + lookahead_per_speed_s * speed further along the path,
   // or as far as the straight way there keeps `clearance_m` from the known points.
-  Aim aim(const Eigen::Vector2d& p_world, double speed_m_s, const ObstacleSnapshot& known,
-          double clearance_m) const;
+  LookaheadPoint lookahead(const Eigen::Vector2d& p_world, double speed_m_s,
+                           const ObstacleSnapshot& known, double clearance_m) const;
 
  private:
   NavigationConfig config_;
   SpeedProfile goal_profile_;
   double max_speed_m_s_;
   Path path_;
-  bool ends_at_goal_ = false;
+  PathEnd end_ = PathEnd::leg;
   double station_m_ = 0;
   double distance_off_path_m_ = 0;
 };

@@ -11,10 +11,10 @@ namespace voronaut {
 namespace {
 
 // Level 0 is braking.
-constexpr std::array kShares = {0.0, 0.05, 0.12, 0.25, 0.4, 0.6, 0.8, 1.0};
-constexpr std::size_t kFull = kShares.size() - 1;
+constexpr std::array kSpeedScales = {0.0, 0.05, 0.12, 0.25, 0.4, 0.6, 0.8, 1.0};
+constexpr std::size_t kFull = kSpeedScales.size() - 1;
 constexpr double kSample_s = 0.05;
-// Samples of the track may lie this far beside its straight pieces; the tube is wider by it.
+// Samples of the track may lie this far beside its straight segments; the tube is wider by it.
 constexpr double kStraight_m = 0.005;
 // What is too close already may stay as close as it is, up to rounding.
 constexpr double kRounding_m = 1e-6;
@@ -28,31 +28,32 @@ SafetyGovernor::SafetyGovernor(const VelocityResponse& response, double body_rad
       keep_from_known_m_(clearance_min_m - kKnownMargin_m),
       hold_s_(hold_s) {}
 
-const GovernedCourse& SafetyGovernor::allow(const Vec2& v_wanted_world, const VehicleState& state,
-                                            const FreeSpace& free, const ObstacleSnapshot& known,
-                                            bool squeezing) {
+const GovernedVelocity& SafetyGovernor::allow(const Vec2& v_wanted_world, const VehicleState& state,
+                                              const FreeSpace& free, const ObstacleSnapshot& known,
+                                              KnownClearance kept) {
   const PlanarMotion now = response_.motion_of(state);
-  double keep_m = squeezing ? 0 : keep_from_known_m_;
+  double keep_m = kept == KnownClearance::reduced ? 0 : keep_from_known_m_;
   if (const auto closest = known.nearest(now.p_m, keep_m)) {
     keep_m = std::max(0.0, (known.points()[*closest] - now.p_m).norm() - kRounding_m);
   }
   const bool wants_to_move = v_wanted_world.squaredNorm() > 0;
   level_ = wants_to_move ? safe_level(v_wanted_world, now, free, known, keep_m) : 0;
-  course_.share = kShares[level_];
-  course_.refused_at.reset();
+  allowed_.speed_scale = kSpeedScales[level_];
+  allowed_.refused_at.reset();
   if (wants_to_move && level_ < kFull && now.v_m_s.norm() <= kDepartureSpeed_m_s) {
-    course_.refused_at = free.first_unknown_in_tube(
-        refused_pieces_, tube_radius_m(kShares[level_ + 1], v_wanted_world, now));
+    allowed_.refused_at = free.first_unknown_in_tube(
+        refused_corners_, tube_radius_m(kSpeedScales[level_ + 1], v_wanted_world, now));
   }
-  course_.v_world = Vec2(0, 0);
-  if (course_.share > 0) course_.v_world = course_at(course_.share, v_wanted_world, now);
-  if (course_.share == 0) pieces_.clear();
-  course_.tube_world = pieces_;
-  v_before_ = course_.v_world;
-  return course_;
+  allowed_.v_world = Vec2(0, 0);
+  if (allowed_.speed_scale > 0)
+    allowed_.v_world = command_at(allowed_.speed_scale, v_wanted_world, now);
+  if (allowed_.speed_scale == 0) corners_.clear();
+  allowed_.tube_world = corners_;
+  v_before_ = allowed_.v_world;
+  return allowed_;
 }
 
-// A slower course sweeps less, so levels are safe up to one of them. That is most often the level
+// A slower command sweeps less, so levels are safe up to one of them. That is most often the level
 // of the call before or next to it: looked for there first, then by bisection.
 std::size_t SafetyGovernor::safe_level(const Vec2& v_wanted_world, const PlanarMotion& now,
                                        const FreeSpace& free, const ObstacleSnapshot& known,
@@ -61,12 +62,12 @@ std::size_t SafetyGovernor::safe_level(const Vec2& v_wanted_world, const PlanarM
   std::size_t level = std::min(level_ + 1, kFull);
   bool near = true;
   while (unsafe - safe > 1) {
-    if (is_safe(kShares[level], v_wanted_world, now, free, known, keep_m)) {
+    if (is_safe(kSpeedScales[level], v_wanted_world, now, free, known, keep_m)) {
       safe = level;
-      safe_pieces_.swap(pieces_);
+      safe_corners_.swap(corners_);
     } else {
       unsafe = level;
-      refused_pieces_.swap(pieces_);
+      refused_corners_.swap(corners_);
     }
     if (near && unsafe == level && level > 1)
       --level;
@@ -74,56 +75,57 @@ std::size_t SafetyGovernor::safe_level(const Vec2& v_wanted_world, const PlanarM
       level = (safe + unsafe) / 2;
     near = false;
   }
-  pieces_.swap(safe_pieces_);
+  corners_.swap(safe_corners_);
   return safe;
 }
 
-Vec2 SafetyGovernor::course_at(double share, const Vec2& v_wanted_world,
-                               const PlanarMotion& now) const {
-  return now.v_m_s + kLead * (share * v_wanted_world - now.v_m_s);
+Vec2 SafetyGovernor::command_at(double speed_scale, const Vec2& v_wanted_world,
+                                const PlanarMotion& now) const {
+  return now.v_m_s + kLead * (speed_scale * v_wanted_world - now.v_m_s);
 }
 
-double SafetyGovernor::tube_radius_m(double share, const Vec2& v_wanted_world,
+double SafetyGovernor::tube_radius_m(double speed_scale, const Vec2& v_wanted_world,
                                      const PlanarMotion& now) const {
-  return body_radius_m_ + response_.error_m(now, share * v_wanted_world) + kStraight_m;
+  return body_radius_m_ + response_.error_m(now, speed_scale * v_wanted_world) + kStraight_m;
 }
 
-bool SafetyGovernor::is_safe(double share, const Vec2& v_wanted_world, const PlanarMotion& now,
-                             const FreeSpace& free, const ObstacleSnapshot& known, double keep_m) {
-  const double radius_m = tube_radius_m(share, v_wanted_world, now);
-  response_.predict_stop(now, v_before_, course_at(share, v_wanted_world, now), hold_s_, kSample_s,
-                         track_);
+bool SafetyGovernor::is_safe(double speed_scale, const Vec2& v_wanted_world,
+                             const PlanarMotion& now, const FreeSpace& free,
+                             const ObstacleSnapshot& known, double keep_m) {
+  const double radius_m = tube_radius_m(speed_scale, v_wanted_world, now);
+  response_.predict_stop(now, v_before_, command_at(speed_scale, v_wanted_world, now), hold_s_,
+                         kSample_s, track_);
   straighten_track();
-  for (std::size_t i = 0; i + 1 < pieces_.size(); ++i) {
-    if (!known.swept_disc_is_clear(pieces_[i], pieces_[i + 1], keep_m)) return false;
+  for (std::size_t i = 0; i + 1 < corners_.size(); ++i) {
+    if (!known.swept_disc_is_clear(corners_[i], corners_[i + 1], keep_m)) return false;
   }
-  for (std::size_t i = 0; i + 1 < pieces_.size(); ++i) {
-    if (!free.swept_disc_is_free(pieces_[i], pieces_[i + 1], radius_m)) {
-      return departs(course_at(share, v_wanted_world, now), now, free, radius_m);
+  for (std::size_t i = 0; i + 1 < corners_.size(); ++i) {
+    if (!free.swept_disc_is_free(corners_[i], corners_[i + 1], radius_m)) {
+      return departs(command_at(speed_scale, v_wanted_world, now), now, free, radius_m);
     }
   }
   return true;
 }
 
-bool SafetyGovernor::departs(const Vec2& course_m_s, const PlanarMotion& now, const FreeSpace& free,
-                             double radius_m) {
-  if (std::max(course_m_s.norm(), now.v_m_s.norm()) > kDepartureSpeed_m_s) return false;
-  free.unknown_cells_in_tube(pieces_, radius_m, unknown_cells_);
-  return leads_away(course_m_s, pieces_, unknown_cells_);
+bool SafetyGovernor::departs(const Vec2& v_command_m_s, const PlanarMotion& now,
+                             const FreeSpace& free, double radius_m) {
+  if (std::max(v_command_m_s.norm(), now.v_m_s.norm()) > kDepartureSpeed_m_s) return false;
+  free.unknown_cells_in_tube(corners_, radius_m, unknown_cells_);
+  return leads_away(v_command_m_s, corners_, unknown_cells_);
 }
 
-// Sleeve fitting: a piece goes on as long as its end is seen from its start between both sides of
+// Sleeve fitting: a segment goes on as long as its end is seen from its start between both sides of
 // every sample passed, each kStraight_m beside it, and lies farther than all of them.
 void SafetyGovernor::straighten_track() {
-  pieces_.assign(1, track_.front());
-  Vec2 right(0, 0), left(0, 0);  // the sleeve, as seen from the start of the piece; zero: open
+  corners_.assign(1, track_.front());
+  Vec2 right(0, 0), left(0, 0);  // the sleeve, as seen from the start of the segment; zero: open
   double farthest_sq = 0;
   for (std::size_t i = 1; i < track_.size(); ++i) {
-    const Vec2 to = track_[i] - pieces_.back();
+    const Vec2 to = track_[i] - corners_.back();
     const double reach_sq = to.squaredNorm();
     const bool in_sleeve = reach_sq >= farthest_sq && cross(right, to) >= 0 && cross(to, left) >= 0;
     if (!in_sleeve) {
-      pieces_.push_back(track_[i - 1]);
+      corners_.push_back(track_[i - 1]);
       right = left = Vec2(0, 0);
       farthest_sq = 0;
       --i;
@@ -135,7 +137,7 @@ void SafetyGovernor::straighten_track() {
     if (right == Vec2(0, 0) || cross(right, to - side) > 0) right = to - side;
     if (left == Vec2(0, 0) || cross(to + side, left) > 0) left = to + side;
   }
-  pieces_.push_back(track_.back());
+  corners_.push_back(track_.back());
 }
 
 }  // namespace voronaut

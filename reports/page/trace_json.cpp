@@ -67,7 +67,7 @@ void visit_columns(Visitor&& v) {
   v(
       "solve_end", [](auto& f) -> auto& { return f.solve_end; }, 1.0);
   v(
-      "share_1e3", [](auto& f) -> auto& { return f.governed_share; }, 1e3);
+      "share_1e3", [](auto& f) -> auto& { return f.speed_scale; }, 1e3);
   v(
       "known", [](auto& f) -> auto& { return f.known_points; }, 1.0);
 }

@@ -53,7 +53,7 @@ class RegulatorConformance : public ::testing::TestWithParam<RegulatorPair> {
   static Vector2d along(double angle_rad) { return {std::cos(angle_rad), std::sin(angle_rad)}; }
 
   static Setpoint rest_at(const Vec3& p, const Vector2d& heading, double speed_m_s = 2.5) {
-    return {p, speed_m_s, true, heading, 0};
+    return {RestAtTarget{p.head<2>(), speed_m_s}, p.z(), heading};
   }
 
   static double tilt_rad(const VehicleState& s) {

@@ -34,10 +34,10 @@ TEST_P(HoveringRegulatorConformance, ConvergesFromOffsetsInEveryDirection) {
 }
 
 TEST_P(StableRegulatorConformance, KeepsTheLimits) {
-  // Full speed there, back and sideways, turning the gaze all the while.
+  // Full speed there, back and sideways, turning all the while.
   const auto guide = [](double t) {
     const Vec3 corner = t < 4 ? Vec3(1e6, 0, 1) : t < 8 ? Vec3(-1e6, 0, 2) : Vec3(0, 1e6, 1);
-    return Setpoint{corner, 100, false, along(0.7 * t), 0.7};
+    return Setpoint{PassTarget{corner.head<2>(), 100}, corner.z(), along(0.7 * t), 0.7};
   };
   const auto states = fly(model_->at_rest({0, 0, 1}, {1, 0}), 12, guide);
   double largest_tilt_rad = 0;
@@ -57,7 +57,7 @@ TEST_P(StableRegulatorConformance, KeepsTheLimits) {
 
 TEST_P(StableRegulatorConformance, FliesAtTheSpeedLimitAndDoesNotBrakeForASubgoal) {
   const auto states = fly(model_->at_rest({0, 0, 1}, {1, 0}), 5, [](double) {
-    return Setpoint{.p_target_world = {6, 0, 1}, .speed_limit_m_s = 1.2};
+    return Setpoint{.motion = PassTarget{{6, 0}, 1.2}, .height_m = 1};
   });
   double speed_at_target_m_s = 0;
   for (const VehicleState& s : states) {
@@ -66,10 +66,10 @@ TEST_P(StableRegulatorConformance, FliesAtTheSpeedLimitAndDoesNotBrakeForASubgoa
   EXPECT_NEAR(speed_at_target_m_s, 1.2, 0.01);
 }
 
-TEST_P(HoveringRegulatorConformance, FollowsATurningGazeWithoutLag) {
+TEST_P(HoveringRegulatorConformance, FollowsATurningHeadingWithoutLag) {
   const auto heading = [](double t) { return along(0.8 * t); };
   const auto states = fly(model_->at_rest({0, 0, 1}, {1, 0}), 10, [&](double t) {
-    return Setpoint{{0, 0, 1}, 1, true, heading(t), 0.8};
+    return Setpoint{RestAtTarget{{0, 0}, 1}, 1, heading(t), 0.8};
   });
   EXPECT_LT((states.back().heading_world() - heading(10)).norm(), 0.03);
   EXPECT_LT((states.back().p_world - Vec3(0, 0, 1)).norm(), 0.01);
@@ -90,7 +90,7 @@ TEST_P(HoveringRegulatorConformance, StopsWithinItsStoppingLaw) {
     VehicleState start = model_->at_rest({0, 0, 1}, {1, 0});
     start.v_world.x() = v;
     const auto states = fly(start, 10, [](double) {
-      return Setpoint{.p_target_world = {100, 0, 1}, .speed_limit_m_s = 0};
+      return Setpoint{.motion = PassTarget{{100, 0}, 0}, .height_m = 1};
     });
     const double stop_m = states.back().p_world.x();
     EXPECT_LT(stop_m, 1.02 * stopping_distance_m(v, law.k_1_s, law.a_m_s2) + v * kPeriod_s);

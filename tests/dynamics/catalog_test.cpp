@@ -14,6 +14,8 @@ namespace {
 using ::testing::AllOf;
 using ::testing::HasSubstr;
 
+constexpr double kPeriod_s = 0.01;
+
 std::string message_of(const auto& call) {
   try {
     call();
@@ -29,7 +31,7 @@ TEST(Catalog, MakesEveryVehicleWithItsRegulator) {
     EXPECT_EQ(spec.name, name);
     EXPECT_GT(spec.clearance_min_m, spec.body_radius_m);
     EXPECT_NE(make_model(spec.model), nullptr);
-    EXPECT_NE(make_regulator(regulator(spec.regulator), spec), nullptr);
+    EXPECT_NE(make_regulator(regulator(spec.regulator), spec, kPeriod_s), nullptr);
     EXPECT_GT(stopping_law(regulator(spec.regulator), spec).a_m_s2, 0);
   }
 }
@@ -58,16 +60,19 @@ TEST(Catalog, ListsTheKnownNamesWhenOneIsUnknown) {
 }
 
 TEST(Catalog, RefusesARegulatorThatDrivesAnotherModel) {
-  EXPECT_THAT(message_of([] { make_regulator(regulator("pd_rate"), vehicle("ideal")); }),
+  EXPECT_THAT(message_of([] { make_regulator(regulator("pd_rate"), vehicle("ideal"), kPeriod_s); }),
               AllOf(HasSubstr("'pd_rate'"), HasSubstr("'ideal'")));
-  EXPECT_THAT(message_of([] { make_regulator(regulator("ideal"), vehicle("quadrotor")); }),
-              AllOf(HasSubstr("'ideal'"), HasSubstr("'quadrotor'")));
-  EXPECT_THROW(make_regulator(regulator("paper_literal"), vehicle("ideal")), std::invalid_argument);
-  EXPECT_THAT(message_of([] { make_regulator(regulator("pd_rate"), vehicle("cart")); }),
-              AllOf(HasSubstr("'pd_rate'"), HasSubstr("'cart'")));
   EXPECT_THAT(
-      message_of([] { make_regulator(regulator("position_trajectory"), vehicle("ideal")); }),
-      AllOf(HasSubstr("'position_trajectory'"), HasSubstr("'ideal'")));
+      message_of([] { make_regulator(regulator("ideal"), vehicle("quadrotor"), kPeriod_s); }),
+      AllOf(HasSubstr("'ideal'"), HasSubstr("'quadrotor'")));
+  EXPECT_THROW(make_regulator(regulator("paper_literal"), vehicle("ideal"), kPeriod_s),
+               std::invalid_argument);
+  EXPECT_THAT(message_of([] { make_regulator(regulator("pd_rate"), vehicle("cart"), kPeriod_s); }),
+              AllOf(HasSubstr("'pd_rate'"), HasSubstr("'cart'")));
+  EXPECT_THAT(message_of([] {
+                make_regulator(regulator("position_trajectory"), vehicle("ideal"), kPeriod_s);
+              }),
+              AllOf(HasSubstr("'position_trajectory'"), HasSubstr("'ideal'")));
 }
 
 TEST(Catalog, GivesTheStoppingLawOfTheGainsAndTheTilt) {

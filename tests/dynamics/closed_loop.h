@@ -27,6 +27,16 @@ inline MotionLimits tilt_limited(double max_tilt_deg) {
   return {.max_speed_m_s = 5, .max_acceleration_m_s2 = 100, .max_tilt_rad = max_tilt_deg * kDegree};
 }
 
+// Through a point, and to rest at one.
+inline Setpoint pass(const Vec3& p, double speed_m_s,
+                     const Eigen::Vector2d& heading = Eigen::Vector2d::UnitX()) {
+  return {PassTarget{p.head<2>(), speed_m_s}, p.z(), heading};
+}
+inline Setpoint rest(const Vec3& p, double speed_m_s,
+                     const Eigen::Vector2d& heading = Eigen::Vector2d::UnitX()) {
+  return {RestAtTarget{p.head<2>(), speed_m_s}, p.z(), heading};
+}
+
 using Guide = std::function<Setpoint(double time_s, const VehicleState& state)>;
 
 // States at 0, T, 2T ... of a vehicle under a regulator whose command is applied one step later, as

@@ -29,10 +29,10 @@ struct StepResponse {
 // From rest to 2.5 m/s along the heading.
 StepResponse step_response(const QuadrotorConfig& vehicle, const PdRateConfig& config) {
   const Quadrotor model(vehicle);
-  PdRate regulator(config, vehicle, tilt_limited(20));
+  PdRate regulator(config, vehicle, tilt_limited(20), kPeriod_s);
   const auto states =
       fly(model, regulator, model.at_rest({0, 0, 1}, {1, 0}), 6, [](double, const VehicleState&) {
-        return Setpoint{.p_target_world = {kFar_m, 0, 1}, .speed_limit_m_s = 2.5};
+        return pass({kFar_m, 0, 1}, 2.5);
       });
   StepResponse r;
   for (std::size_t i = 0; i < states.size(); ++i) {
@@ -86,7 +86,7 @@ struct Mission {
 // The paper's mission: rise to 1 m, then to (10, 10), body x along the paper's X.
 Mission fly_mission(const QuadrotorConfig& vehicle, const PdRateConfig& config) {
   const Quadrotor model(vehicle);
-  PdRate regulator(config, vehicle, tilt_limited(20));
+  PdRate regulator(config, vehicle, tilt_limited(20), kPeriod_s);
   const Vector2d heading(0, 1);
   const Vector2d goal(10, 10);
   Mission m;
@@ -94,7 +94,7 @@ Mission fly_mission(const QuadrotorConfig& vehicle, const PdRateConfig& config) 
     const bool risen = std::abs(s.p_world.z() - 1) < 0.05 && std::abs(s.v_world.z()) < 0.1;
     if (m.depart_s == 0 && risen) m.depart_s = t;
     const Vec3 target = m.depart_s > 0 ? Vec3(10, 10, 1) : Vec3(0, 0, 1);
-    return Setpoint{target, 2.5, true, heading, 0};
+    return rest(target, 2.5, heading);
   };
   const auto states = fly(model, regulator, model.at_rest({0, 0, 0}, heading), 20, guide);
   for (std::size_t i = 0; i < states.size(); ++i) {
@@ -183,12 +183,12 @@ double simulated_stop_m(const QuadrotorConfig& vehicle, Poles poles, double max_
   PdRateConfig config;
   config.poles = poles;
   const Quadrotor model(vehicle);
-  PdRate regulator(config, vehicle, tilt_limited(max_tilt_deg));
+  PdRate regulator(config, vehicle, tilt_limited(max_tilt_deg), kPeriod_s);
   VehicleState start = model.at_rest({0, 0, 1}, {1, 0});
   start.v_world.x() = speed_m_s;
   return fly(model, regulator, start, 15,
              [](double, const VehicleState&) {
-               return Setpoint{.p_target_world = {kFar_m, 0, 1}, .speed_limit_m_s = 0};
+               return pass({kFar_m, 0, 1}, 0);
              })
       .back()
       .p_world.x();

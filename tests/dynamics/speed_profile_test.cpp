@@ -13,7 +13,7 @@ using Kind = SpeedProfileConfig::Kind;
 double sigma(double x) { return 1 / (1 + std::exp(-x)); }
 
 TEST(SpeedProfile, BrakesAtOneMetrePerSecondSquaredByDefault) {
-  const SpeedProfile profile;
+  const SpeedProfile profile({});
   const double knee_m = 1 / (0.6 * 0.6);
   for (const double d : {3.0, 3.5, 4.0}) {
     EXPECT_DOUBLE_EQ(profile.speed_m_s(d, 2.5), std::sqrt(2 * (d - 0.5 * knee_m)));

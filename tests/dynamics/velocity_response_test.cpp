@@ -5,18 +5,18 @@
 
 #include <gtest/gtest.h>
 
-#include "voronaut/tests/dynamics/course_flight.h"
+#include "voronaut/tests/dynamics/commanded_flight.h"
 
 namespace voronaut {
 namespace {
 
 using Eigen::Vector2d;
-using testing::CourseFlight;
+using testing::CommandedFlight;
 using testing::kPeriod_s;
 
 constexpr double kHold_s = 0.05;
 
-Vector2d random_course(CourseFlight& flight, const Vector2d& before) {
+Vector2d random_command(CommandedFlight& flight, const Vector2d& before) {
   const double what = flight.uniform(0, 1);
   if (what < 0.7) return before;
   if (what < 0.8) return {0, 0};
@@ -38,37 +38,37 @@ double distance_m(const Vector2d& p, const std::vector<Vector2d>& track) {
 
 // Predicts and flies a stop. The governor sweeps the whole track: what counts is how far the flight
 // strays from it.
-double error_m(CourseFlight& flight, const Vector2d& before, const Vector2d& course) {
+double error_m(CommandedFlight& flight, const Vector2d& before, const Vector2d& command) {
   std::vector<Vector2d> track;
-  flight.response().predict_stop(flight.motion(), before, course, kHold_s, kPeriod_s, track);
+  flight.response().predict_stop(flight.motion(), before, command, kHold_s, kPeriod_s, track);
   const double yaw_rate_rad_s = flight.uniform(-2, 2);
   double largest = 0;
   for (int i = 0; i < 400; ++i) {
     largest = std::max(largest, distance_m(flight.motion().p_m, track));
     const bool holding = i * kPeriod_s < kHold_s - 1e-9;
-    flight.step(holding ? course : Vector2d(0, 0), yaw_rate_rad_s);
+    flight.step(holding ? command : Vector2d(0, 0), yaw_rate_rad_s);
   }
   return largest;
 }
 
-// A flight under random courses, held as navigation holds them; at random moments the stop from
+// A flight under random commands, held as navigation holds them; at random moments the stop from
 // there is both predicted and flown. The largest distance between prediction and flight over that
 // many stops, as a share of what is promised.
-double largest_share(CourseFlight flight, int stops) {
+double largest_share(CommandedFlight flight, int stops) {
   double largest = 0;
   while (stops > 0) {
     flight.begin();
     Vector2d before(0, 0);
     for (int hold = 0; hold < 60 && stops > 0; ++hold) {
-      const Vector2d course = random_course(flight, before);
+      const Vector2d command = random_command(flight, before);
       if (hold > 3 && flight.uniform(0, 1) < 0.1) {
-        const double promised = flight.response().error_m(flight.motion(), course);
-        largest = std::max(largest, error_m(flight, before, course) / promised);
+        const double promised = flight.response().error_m(flight.motion(), command);
+        largest = std::max(largest, error_m(flight, before, command) / promised);
         --stops;
         break;
       }
-      flight.fly(course, kHold_s);
-      before = course;
+      flight.fly(command, kHold_s);
+      before = command;
     }
   }
   return largest;
@@ -94,13 +94,15 @@ TEST(VelocityResponse, PredictsTheStopsOfThePrintedInertiaWithinItsError) {
 }
 
 TEST(VelocityResponse, PromisesNoStopForTheUnstableLiteralLaw) {
-  EXPECT_THROW(velocity_response(regulator("paper_literal"), vehicle("quadrotor")),
-               std::invalid_argument);
+  EXPECT_THROW(
+      velocity_response(regulator("paper_literal"), vehicle("quadrotor"), testing::kPeriod_s),
+      std::invalid_argument);
 }
 
 TEST(VelocityResponse, PromisesNoStopForAVehicleThatCannotMoveSideways) {
-  EXPECT_THROW(velocity_response(regulator("position_trajectory"), vehicle("cart")),
-               std::invalid_argument);
+  EXPECT_THROW(
+      velocity_response(regulator("position_trajectory"), vehicle("cart"), testing::kPeriod_s),
+      std::invalid_argument);
 }
 
 }  // namespace

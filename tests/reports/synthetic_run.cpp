@@ -234,7 +234,7 @@ Trace make_trace(const std::string& trial_id, const TraceWorld& world, std::uint
       frame.solve_end = i % 80 == 0 ? 1 : 0;
     }
     frame.search = trace.searches - 1;
-    frame.governed_share = std::clamp(0.001 * std::round(1000 * frame.clearance_m), 0.05, 1.0);
+    frame.speed_scale = std::clamp(0.001 * std::round(1000 * frame.clearance_m), 0.05, 1.0);
     frame.tube = {{x, y},
                   {x + 0.1 * frame.vx_m_s, y + 0.1 * frame.vy_m_s},
                   {x + 0.3 * frame.vx_m_s + 0.02, y + 0.3 * frame.vy_m_s}};

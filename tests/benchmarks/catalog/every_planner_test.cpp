@@ -28,7 +28,7 @@ std::string suite_text(const std::string& traces) {
       "  - {name: trap, generator: {name: u_trap, width_min_m: 2, width_max_m: 2.5,"
       " depth_min_m: 1, depth_max_m: 1.5}}\n"
       "vehicles: [{name: ideal, params: {max_speed_m_s: 2}}]\n"
-      "navigation: {gaze: path, speed_rule: stopping_distance}\n"
+      "navigation: {yaw_policy: path, speed_rule: stopping_distance}\n"
       "budget: {state_checks: 3000, ptc_evaluations: 6000, stop: first}\n"
       "limits: {memory_mb: 2048, cpu_s: 60, wall_s: 120}\ntraces: " +
       traces + "\nplanners:\n";

@@ -2,8 +2,10 @@
 #include <cmath>
 
 #include <gtest/gtest.h>
+#include <ompl/base/Planner.h>
 
 #include "voronaut/benchmarks/episode/episode.h"
+#include "voronaut/benchmarks/episode/metrics.h"
 #include "voronaut/benchmarks/suite/shortest_references.h"
 #include "voronaut/benchmarks/suite/suite_trials.h"
 #include "voronaut/environments/config/config_node.h"
@@ -18,7 +20,7 @@ TrialSpec cart_trial(const std::string& scenario, const std::string& navigation)
   const SuiteConfig suite =
       read_suite(ConfigNode::parse("suite: s\nscenarios: [{name: a, " + scenario +
                                        "}]\nvehicles: [cart]\nplanners: [VoronoiRoadmap]\n"
-                                       "navigation: {gaze: path, " +
+                                       "navigation: {yaw_policy: path, " +
                                        navigation + "}\n",
                                    "s.yaml"),
                  "", planners);
@@ -49,30 +51,33 @@ TEST(CartDrive, LooksAroundOnTheSpotAndThenLooksWhereItDrives) {
   EXPECT_GT(backwards_m_s, -0.05);
 }
 
+// Never finds anything.
+class Clueless : public ompl::base::Planner {
+ public:
+  explicit Clueless(const ompl::base::SpaceInformationPtr& si) : Planner(si, "Clueless") {}
+  ompl::base::PlannerStatus solve(const ompl::base::PlannerTerminationCondition&) override {
+    return ompl::base::PlannerStatus::TIMEOUT;
+  }
+};
+
 TEST(CartDrive, BacksOffByTurningRoundAndDrivingAway) {
-  const TrialSpec spec = cart_trial(
+  TrialSpec spec = cart_trial(
       "world: {circles: [[1.3, 0, 1]]}, bounds: [[-5, -5], [9, 5]], start: [0, 0], goal: [5, 0]",
       "recovery: true");
-  Flight flight(spec, PlannerCatalog::built_in(), false);
-  VehicleState state = flight.model->at_rest({0, 0, 0}, {1, 0});
-  flight.regulator->reset(state);
-  flight.log.ticks.push_back({0, state, 0});
-  flight.sense(state, 0);
-  flight.update_map();
-  flight.departed = true;
-  flight.back_off_until_s = 4;
-  Command applied = flight.model->hold();
-  double nearest_m = 0.3;
-  for (int i = 0; i < 400; ++i) {
-    const Setpoint setpoint = flight.navigate(state, 0.01 * i);
-    const Command next = flight.regulator->regulate(setpoint, state);
-    state = flight.model->step(state, applied, 0.01);
-    applied = next;
-    nearest_m = std::min(nearest_m, spec.scenario.world->clearance_m(state.p_world.head<2>()));
-  }
-  EXPECT_EQ(flight.executive, ExecutiveState::backing_off);
-  EXPECT_GT(nearest_m, 0.28) << "it turns on the spot before it drives";
-  EXPECT_GT(spec.scenario.world->clearance_m(state.p_world.head<2>()), 0.4);
+  spec.planner = {"Clueless", "Clueless", {}};
+  PlannerCatalog planners = PlannerCatalog::built_in();
+  planners.add({"Clueless", "never finds anything", {}, [](const auto& si) {
+                  return std::make_shared<Clueless>(si);
+                }});
+  spec.loop.stuck_after_s = 6;  // 1.5 s until it is a stall, 4 s for backing off
+  Flight flight(spec, planners, false);
+  const EpisodeLog log = fly(flight);
+  EXPECT_EQ(log.verdict.outcome, Outcome::stuck);
+  EXPECT_TRUE(std::ranges::any_of(log.scans, [](const ScanEvent& event) {
+    return event.executive == ExecutiveState::backing_off;
+  }));
+  EXPECT_GT(clearance_min_m(log.ticks), 0.28) << "it turns on the spot before it drives";
+  EXPECT_GT(log.ticks.back().clearance_m, 0.4);
 }
 
 TEST(CartDrive, IsNotGoverned) {

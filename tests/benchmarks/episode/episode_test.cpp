@@ -127,10 +127,10 @@ TEST(Episode, ATraceOfAGovernedFlightTellsWhatGovernorAndPlannerThought) {
   spec.range_finder.max_range_m = 2.5;
   spec.navigation.governor = true;
   spec.navigation.look_around = true;
-  spec.navigation.gaze = Gaze::path;
+  spec.navigation.yaw_policy = YawReference::path;
   Flight flight(spec, planners(), true);
   const EpisodeLog log = fly(flight);
-  const Trace trace = trace_of(spec, log, flight.map.snapshot());
+  const Trace trace = trace_of(spec, log, flight.navigator.known());
   ASSERT_EQ(trace.frames.size(), log.scans.size() + 1);
   ASSERT_GT(trace.searches, 1) << log.verdict.reason;
   EXPECT_EQ(trace.searches, log.replans);
@@ -138,7 +138,7 @@ TEST(Episode, ATraceOfAGovernedFlightTellsWhatGovernorAndPlannerThought) {
   std::size_t tubes = 0;
   int asked = 0;
   for (std::size_t k = 0; k < log.scans.size(); ++k) {
-    EXPECT_EQ(trace.frames[k].governed_share, log.scans[k].governed_share);
+    EXPECT_EQ(trace.frames[k].speed_scale, log.scans[k].speed_scale);
     EXPECT_EQ(trace.frames[k].tube.size(), log.scans[k].tube.size());
     EXPECT_EQ(trace.frames[k].search, log.scans[k].search);
     EXPECT_LE(trace.frames[k].known_points, trace.known_points.size());

@@ -27,13 +27,13 @@ Shapes mixed_shapes(Random& random) {
 // way. Inside a polygon the outline alone is asked.
 constexpr double kBand_m = 1e-5;
 
-TEST(ContactOracle, AgreesWithExactClearanceOutsideABandOfTenMicrometres) {
+TEST(GroundTruthCollisionChecker, AgreesWithExactClearanceOutsideABandOfTenMicrometres) {
   int compared = 0;
   int touching = 0;
   for (std::uint64_t seed = 1; seed <= 40; ++seed) {
     Random random(seed);
     const Shapes shapes = mixed_shapes(random);
-    const ContactOracle oracle(shapes, kBodyRadius_m);
+    const GroundTruthCollisionChecker oracle(shapes, kBodyRadius_m);
     const World world({Vec2(-10, -10), Vec2(10, 10)}, shapes);
     for (int i = 0; i < 500; ++i) {
       const Vec2 p(random.uniform(-6, 6), random.uniform(-6, 6));
@@ -49,9 +49,9 @@ TEST(ContactOracle, AgreesWithExactClearanceOutsideABandOfTenMicrometres) {
   EXPECT_GT(touching, 1'000);
 }
 
-TEST(ContactOracle, SeesACylinderJustTouchedAndNotOneJustMissed) {
+TEST(GroundTruthCollisionChecker, SeesACylinderJustTouchedAndNotOneJustMissed) {
   const Shapes pillar{{{Vec2(1, 0), 0.5}}, {}, {}};
-  const ContactOracle oracle(pillar, kBodyRadius_m);
+  const GroundTruthCollisionChecker oracle(pillar, kBodyRadius_m);
   EXPECT_TRUE(oracle.touches(Vec2(0.25 + kBand_m, 0)));
   EXPECT_FALSE(oracle.touches(Vec2(0.25 - kBand_m, 0)));
 }

@@ -90,7 +90,7 @@ std::string suite_text(const std::string& name, int state_checks) {
          "vehicles: [quadrotor]\nplanners:\n"
          "  - {name: ReactiveVoronoi, label: repaired, params: {preset: repaired}}\n"
          "  - VoronoiRoadmap\n  - RRTConnect\n  - PotentialField\n"
-         "navigation: {gaze: path, governor: true, look_around: true, recovery: true}\n"
+         "navigation: {yaw_policy: path, governor: true, look_around: true, recovery: true}\n"
          "budget: {state_checks: " +
          std::to_string(state_checks) + ", ptc_evaluations: 8000, stop: first}\ntraces: all\n";
 }
@@ -208,7 +208,7 @@ TEST_F(RealRun, TheReplayShowsTheStoredStateOfEachMoment) {
                         "suite: replayed\nseed: 2\nscenarios:\n"
                         "  - {name: rooms, generator: {name: rooms}}\nvehicles: [quadrotor]\n"
                         "planners: [VoronoiRoadmap, RRTConnect, PotentialField]\n"
-                        "navigation: {gaze: path, governor: true, look_around: true}\n"
+                        "navigation: {yaw_policy: path, governor: true, look_around: true}\n"
                         "traces: all\n");
   const auto stored =
       ask(database("replayed"), "select trial_id, data from traces join trials using (trial_id)");
@@ -231,7 +231,7 @@ TEST_F(RealRun, TheReplayShowsTheStoredStateOfEachMoment) {
                                    decimal(frame->y_m, 2) + " m"));
       EXPECT_THAT(panel, HasSubstr("speed" + decimal(std::hypot(frame->vx_m_s, frame->vy_m_s), 2)));
       EXPECT_THAT(panel, HasSubstr("points known" + std::to_string(frame->known_points)));
-      EXPECT_THAT(panel, HasSubstr("governor" + decimal(100 * frame->governed_share, 0) + " %"));
+      EXPECT_THAT(panel, HasSubstr("governor" + decimal(100 * frame->speed_scale, 0) + " %"));
     }
     expect_quiet();
   }

@@ -77,7 +77,7 @@ TEST(SuiteConfig, ReadsEverySection) {
       suite_with("vehicles",
                  "[{name: ideal, label: small, params: {body_radius_m: 0.2, clearance_min_m: 0.3},"
                  " model: {max_acceleration_m_s2: 2}, regulator: {name: ideal, params: {}}}]") +
-      "range_finder: {rays: 5}\nmapping: {merge_distance_m: 0.6}\nnavigation: {gaze: path}\n"
+      "range_finder: {rays: 5}\nmapping: {merge_distance_m: 0.6}\nnavigation: {yaw_policy: path}\n"
       "loop: {goal_hold_s: 2}\nbudget: {state_checks: 7, ptc_evaluations: 8}\n"
       "limits: {cpu_s: 3}\ntraces: none\nkind: flown\nrepetitions: 4\n");
   EXPECT_EQ(suite.vehicles[0].vehicle.name, "small");
@@ -85,7 +85,7 @@ TEST(SuiteConfig, ReadsEverySection) {
   EXPECT_EQ(std::get<IdealConfig>(suite.vehicles[0].vehicle.model).max_acceleration_m_s2, 2);
   EXPECT_EQ(suite.range_finder.rays, 5);
   EXPECT_EQ(suite.mapping.merge_distance_m, 0.6);
-  EXPECT_EQ(suite.navigation.gaze, Gaze::path);
+  EXPECT_EQ(suite.navigation.yaw_policy, YawReference::path);
   EXPECT_EQ(suite.loop.goal_hold_s, 2);
   EXPECT_EQ(suite.budget.state_checks, 7U);
   EXPECT_EQ(suite.budget.ptc_evaluations, 8U);
@@ -98,11 +98,12 @@ TEST(SuiteConfig, LetsAPlannerFlyWithANavigationOfItsOwn) {
   const SuiteConfig suite =
       read(suite_with("planners",
                       "[RRTConnect, {name: RRTConnect, label: b, navigation: {off_path_m: 2}}]") +
-           "navigation: {gaze: path}\n");
+           "navigation: {yaw_policy: path}\n");
   EXPECT_FALSE(suite.planners[0].navigation);
   ASSERT_TRUE(suite.planners[1].navigation);
   EXPECT_EQ(suite.planners[1].navigation->off_path_m, 2);
-  EXPECT_EQ(suite.planners[1].navigation->gaze, Gaze::path) << "the rest is the suite's";
+  EXPECT_EQ(suite.planners[1].navigation->yaw_policy, YawReference::path)
+      << "the rest is the suite's";
 }
 
 TEST(SuiteConfig, ReadsWhatASuiteClaims) {
@@ -217,9 +218,9 @@ TEST(SuiteConfig, SaysInOneLineWhatIsWrong) {
       {suite_with("planners", "[{name: RRTConnect, parms: {range: 1}}]"),
        "s.yaml:4: key 'planners[0].parms': unknown key (allowed: name, label, params, "
        "navigation; did you mean 'params'?)"},
-      {suite_with("planners", "[{name: RRTConnect, navigation: {gase: path}}]"),
-       "s.yaml:4: key 'planners[0].navigation.gase': unknown key (allowed: " +
-           join_names(navigation_keys()) + "; did you mean 'gaze'?)"},
+      {suite_with("planners", "[{name: RRTConnect, navigation: {yaw_polic: path}}]"),
+       "s.yaml:4: key 'planners[0].navigation.yaw_polic': unknown key (allowed: " +
+           join_names(navigation_keys()) + "; did you mean 'yaw_policy'?)"},
       {suite_with("planners", "[{name: RRTConnect, params: {rang: 1}}]"),
        "s.yaml:4: key 'planners[0].params.rang': planner 'RRTConnect' has no parameter 'rang'; did "
        "you mean 'range'? It has: intermediate_states range"},
@@ -243,8 +244,8 @@ TEST(SuiteConfig, SaysInOneLineWhatIsWrong) {
       {suite_with("mapping", "{merge_m: 1}"),
        "s.yaml:5: key 'mapping.merge_m': unknown key (allowed: link_distance_m, "
        "thinning_distance_m, merge_distance_m)"},
-      {suite_with("navigation", "{gaze: sideways}"),
-       "s.yaml:5: key 'navigation.gaze': expected one of fixed, path, got 'sideways'"},
+      {suite_with("navigation", "{yaw_policy: sideways}"),
+       "s.yaml:5: key 'navigation.yaw_policy': expected one of fixed, path, got 'sideways'"},
       {suite_with("loop", "{goal_hold_s: .nan}"),
        "s.yaml:5: key 'loop.goal_hold_s': expected a number from 0 to 60, got '.nan'"},
       {suite_with("budget", "{state_checks: 0}"),
@@ -277,24 +278,25 @@ TEST(SuiteConfig, AsksACartOnlyForWhatItCanDo) {
            "vehicles: [quadrotor, {name: cart, label: trolley}]\nplanners: " +
            planners + "\n" + rest;
   };
-  const std::string gaze =
-      "navigation.gaze 'fixed' is not for vehicle 'trolley', which looks where it drives (allowed: "
+  const std::string yaw_policy =
+      "navigation.yaw_policy 'fixed' is not for vehicle 'trolley', which looks where it drives "
+      "(allowed: "
       "path)";
   const std::string governor =
       "the governor proves no stop for vehicle 'trolley', which cannot move sideways (allowed: "
       "false)";
   const std::string own = "[RRTConnect, {name: RRTConnect, label: b, navigation: {";
-  EXPECT_EQ(error_of(with_cart("[RRTConnect]", "navigation: {gaze: path}")), "no error");
+  EXPECT_EQ(error_of(with_cart("[RRTConnect]", "navigation: {yaw_policy: path}")), "no error");
   EXPECT_EQ(error_of(with_cart("[RRTConnect]", "kind: known")), "no error") << "nobody moves";
-  EXPECT_EQ(error_of(with_cart("[RRTConnect]", "")), "s.yaml:4: key 'planners[0]': " + gaze);
-  EXPECT_EQ(error_of(with_cart("[RRTConnect]", "navigation: {gaze: fixed}")),
-            "s.yaml:5: key 'navigation.gaze': " + gaze);
-  EXPECT_EQ(error_of(with_cart("[RRTConnect]", "navigation: {gaze: path, governor: true}")),
+  EXPECT_EQ(error_of(with_cart("[RRTConnect]", "")), "s.yaml:4: key 'planners[0]': " + yaw_policy);
+  EXPECT_EQ(error_of(with_cart("[RRTConnect]", "navigation: {yaw_policy: fixed}")),
+            "s.yaml:5: key 'navigation.yaw_policy': " + yaw_policy);
+  EXPECT_EQ(error_of(with_cart("[RRTConnect]", "navigation: {yaw_policy: path, governor: true}")),
             "s.yaml:5: key 'navigation.governor': " + governor);
-  EXPECT_EQ(error_of(with_cart(own + "governor: true}}]", "navigation: {gaze: path}")),
+  EXPECT_EQ(error_of(with_cart(own + "governor: true}}]", "navigation: {yaw_policy: path}")),
             "s.yaml:4: key 'planners[1].navigation.governor': " + governor);
-  EXPECT_EQ(error_of(with_cart(own + "gaze: fixed}}]", "navigation: {gaze: path}")),
-            "s.yaml:4: key 'planners[1].navigation.gaze': " + gaze);
+  EXPECT_EQ(error_of(with_cart(own + "yaw_policy: fixed}}]", "navigation: {yaw_policy: path}")),
+            "s.yaml:4: key 'planners[1].navigation.yaw_policy': " + yaw_policy);
 }
 
 TEST(SuiteConfig, KeepsThePlannersThatWereAskedForAndNamesTheOthers) {

@@ -48,32 +48,32 @@ TEST(HeadingError, TurnsLeftFromTheExactOpposite) {
 }
 
 TEST(DesiredVelocity, PointsAtTheTargetNoFasterThanEitherLimit) {
-  const SpeedProfile profile;
+  const SpeedProfile profile({});
   VehicleState state;
   state.p_world = {1, 1, 5};
-  Setpoint setpoint{.p_target_world = {4, 5, 0}, .speed_limit_m_s = 2};
+  Setpoint setpoint{.motion = PassTarget{{4, 5}, 2}};
   EXPECT_LT((desired_velocity(setpoint, state, profile, 2.5) - Vector2d(1.2, 1.6)).norm(), 1e-15);
   EXPECT_LT((desired_velocity(setpoint, state, profile, 1) - Vector2d(0.6, 0.8)).norm(), 1e-15);
-  setpoint.p_target_world = {1, 1, 0};
+  setpoint.motion = PassTarget{{1, 1}, 2};
   EXPECT_EQ(desired_velocity(setpoint, state, profile, 2.5), Vector2d(0, 0));
 }
 
 TEST(DesiredVelocity, BrakesForTheGoalOnly) {
-  const SpeedProfile profile;
+  const SpeedProfile profile({});
   const VehicleState state;
-  Setpoint setpoint{.p_target_world = {1, 0, 0}, .speed_limit_m_s = 2.5};
+  Setpoint setpoint{.motion = PassTarget{{1, 0}, 2.5}};
   EXPECT_DOUBLE_EQ(desired_velocity(setpoint, state, profile, 2.5).x(), 2.5);
-  setpoint.brake_at_target = true;
+  setpoint.motion = RestAtTarget{{1, 0}, 2.5};
   EXPECT_DOUBLE_EQ(desired_velocity(setpoint, state, profile, 2.5).x(), 0.6);
 }
 
 TEST(DesiredClimb, IsClippedToOneMetrePerSecond) {
   VehicleState state;
-  Setpoint setpoint{.p_target_world = {0, 0, 0.3}};
+  Setpoint setpoint{.height_m = 0.3};
   EXPECT_DOUBLE_EQ(desired_climb_m_s(setpoint, state, 2), 0.6);
-  setpoint.p_target_world.z() = 30;
+  setpoint.height_m = 30;
   EXPECT_DOUBLE_EQ(desired_climb_m_s(setpoint, state, 2), 1);
-  setpoint.p_target_world.z() = -30;
+  setpoint.height_m = -30;
   EXPECT_DOUBLE_EQ(desired_climb_m_s(setpoint, state, 2), -1);
 }
 

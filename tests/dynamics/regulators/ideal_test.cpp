@@ -36,11 +36,11 @@ TEST(Ideal, TurnsLevelAtNoMoreThanItsYawRate) {
 
 TEST(IdealRegulator, GivesHeightItsAccelerationFirst) {
   IdealRegulator regulator({}, {.max_acceleration_m_s2 = 3});
-  const VehicleState rest = Ideal().at_rest({0, 0, 1}, {1, 0});
-  const auto flat = regulator.regulate({{9, 0, 1}, 2.5, false, {1, 0}, 0}, rest).u;
+  const VehicleState at_rest = Ideal().at_rest({0, 0, 1}, {1, 0});
+  const auto flat = regulator.regulate(pass({9, 0, 1}, 2.5), at_rest).u;
   EXPECT_DOUBLE_EQ(flat[0], 3);
   // A fifth of a metre too low asks for 0.2 * 1.667 * 5.4 m/s^2 upwards.
-  const auto rising = regulator.regulate({{0, 9, 1.2}, 2.5, false, {1, 0}, 0}, rest).u;
+  const auto rising = regulator.regulate(pass({0, 9, 1.2}, 2.5), at_rest).u;
   EXPECT_NEAR(rising[2], 1.80036, 1e-9);
   EXPECT_NEAR(rising[1], std::sqrt(9 - 1.80036 * 1.80036), 1e-9);
 }

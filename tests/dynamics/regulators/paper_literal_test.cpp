@@ -31,12 +31,10 @@ double literal_flip_time_s(const FlipRow& row, bool typo_in_eq3) {
   config.horizontal_kd = row.kd;
   config.typo_in_eq3 = typo_in_eq3;
   const Quadrotor model(vehicle);
-  PaperLiteral regulator(config, vehicle, tilt_limited(20));
+  PaperLiteral regulator(config, vehicle, tilt_limited(20), kPeriod_s);
   const Vec3 target = typo_in_eq3 ? Vec3(kFar_m, -kFar_m, 1) : Vec3(kFar_m, 0, 1);
-  return flip_time_s(
-      fly(model, regulator, model.at_rest({0, 0, 1}, {1, 0}), 15, [&](double, const VehicleState&) {
-        return Setpoint{.p_target_world = target, .speed_limit_m_s = 2.5};
-      }));
+  return flip_time_s(fly(model, regulator, model.at_rest({0, 0, 1}, {1, 0}), 15,
+                         [&](double, const VehicleState&) { return pass(target, 2.5); }));
 }
 
 TEST(PaperLiteral, FlipsTheVehicleAsExpected) {
@@ -53,10 +51,10 @@ TEST(PaperLiteral, HoldsItsHeightUntilItFlips) {
   QuadrotorConfig vehicle;
   PaperLiteralConfig config;
   const Quadrotor model(vehicle);
-  PaperLiteral regulator(config, vehicle, tilt_limited(20));
+  PaperLiteral regulator(config, vehicle, tilt_limited(20), kPeriod_s);
   const auto states =
       fly(model, regulator, model.at_rest({0, 0, 0}, {1, 0}), 5, [](double, const VehicleState&) {
-        return Setpoint{.p_target_world = {0, 0, 1}, .speed_limit_m_s = 2.5};
+        return pass({0, 0, 1}, 2.5);
       });
   EXPECT_NEAR(states.back().p_world.z(), 1, 0.01);
   EXPECT_EQ(flip_time_s(states), -1);

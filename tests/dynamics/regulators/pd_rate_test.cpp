@@ -28,10 +28,8 @@ class Mirrored : public Regulator {
 TEST(PdRate, FlipsWithinHalfASecondInTheMirrorImageOfTheFrame) {
   const QuadrotorConfig vehicle;
   const Quadrotor model(vehicle);
-  const auto guide = [](double, const VehicleState&) {
-    return Setpoint{{10, 10, 1}, 2.5, true, {0, 1}, 0};
-  };
-  PdRate right({}, vehicle, tilt_limited(20));
+  const auto guide = [](double, const VehicleState&) { return rest({10, 10, 1}, 2.5, {0, 1}); };
+  PdRate right({}, vehicle, tilt_limited(20), kPeriod_s);
   Mirrored mirrored(right);
   const VehicleState start = model.at_rest({0, 0, 1}, {0, 1});
   EXPECT_EQ(flip_time_s(fly(model, right, start, 12, guide)), -1);
@@ -44,11 +42,11 @@ TEST(PdRate, RaisesTheRotorsThatThePapersPairsName) {
   // Body x along the paper's X, which is W's y: the pair 1-3 answers for y, the pair 2-4 for x.
   const QuadrotorConfig vehicle;
   const Quadrotor model(vehicle);
-  PdRate regulator({}, vehicle, tilt_limited(20));
-  const VehicleState rest = model.at_rest({0, 0, 1}, {0, 1});
+  PdRate regulator({}, vehicle, tilt_limited(20), kPeriod_s);
+  const VehicleState at_rest = model.at_rest({0, 0, 1}, {0, 1});
   const auto command_towards = [&](double x, double y) {
-    regulator.reset(rest);
-    return regulator.regulate({{x, y, 1}, 1, false, {0, 1}, 0}, rest).u;
+    regulator.reset(at_rest);
+    return regulator.regulate(pass({x, y, 1}, 1, {0, 1}), at_rest).u;
   };
   const auto along_x = command_towards(5, 0);
   EXPECT_GT(along_x[3], along_x[1]);
@@ -61,10 +59,10 @@ TEST(PdRate, RaisesTheRotorsThatThePapersPairsName) {
 TEST(PdRate, TurnsWithNoMoreThanItsShareOfTheRotorSpeed) {
   const QuadrotorConfig vehicle;
   const Quadrotor model(vehicle);
-  PdRate regulator({}, vehicle, tilt_limited(20));
-  const VehicleState rest = model.at_rest({0, 0, 1}, {1, 0});
-  regulator.reset(rest);
-  const auto u = regulator.regulate({{0, 0, 1}, 1, true, {-1, 0}, 0}, rest).u;
+  PdRate regulator({}, vehicle, tilt_limited(20), kPeriod_s);
+  const VehicleState at_rest = model.at_rest({0, 0, 1}, {1, 0});
+  regulator.reset(at_rest);
+  const auto u = regulator.regulate(rest({0, 0, 1}, 1, {-1, 0}), at_rest).u;
   const double share = 0.15 * vehicle.hover_rotor_speed_rad_s();
   EXPECT_NEAR((u[1] + u[3] - u[0] - u[2]) / 4, share, 1e-9);
 }
@@ -73,11 +71,11 @@ TEST(PdRate, RecoversFromALargeRollAtRest) {
   const QuadrotorConfig vehicle;
   const Quadrotor model(vehicle);
   for (const double roll_deg : {30.0, 90.0, 135.0, 165.0}) {
-    PdRate regulator({}, vehicle, tilt_limited(20));
+    PdRate regulator({}, vehicle, tilt_limited(20), kPeriod_s);
     VehicleState start = model.at_rest({0, 0, 1}, {1, 0});
     start.q_world_body = Eigen::Quaterniond(Eigen::AngleAxisd(roll_deg * kDegree, Vec3::UnitX()));
     const auto states = fly(model, regulator, start, 8, [](double, const VehicleState&) {
-      return Setpoint{.p_target_world = {0, 0, 1}, .speed_limit_m_s = 2.5, .brake_at_target = true};
+      return rest({0, 0, 1}, 2.5);
     });
     EXPECT_LT(tilt_deg(states.back()), 10) << roll_deg;
   }

@@ -35,13 +35,13 @@ PathSegment circle(double radius_m, bool left) {
           .counter_clockwise = left};
 }
 
-Setpoint follow(const PathSegment& piece, double speed_m_s) {
-  return {.speed_limit_m_s = speed_m_s, .piece = piece};
+Setpoint follow(const PathSegment& segment, double speed_m_s,
+                const Vector2d& target = Vector2d::Zero()) {
+  return {.motion = PassTarget{target, speed_m_s, segment}};
 }
 
 Setpoint rest_at(const Vector2d& p, double speed_m_s) {
-  return {
-      .p_target_world = {p.x(), p.y(), 0}, .speed_limit_m_s = speed_m_s, .brake_at_target = true};
+  return {.motion = RestAtTarget{p, speed_m_s}};
 }
 
 std::vector<VehicleState> drive(const VehicleState& start, double duration_s, const Guide& guide,
@@ -49,7 +49,7 @@ std::vector<VehicleState> drive(const VehicleState& start, double duration_s, co
   VehicleSpec spec = vehicle("cart");
   spec.limits.max_speed_m_s = max_speed_m_s;
   const Cart model;
-  PositionTrajectory regulator({}, CartConfig{}, spec.limits);
+  PositionTrajectory regulator({}, CartConfig{}, spec.limits, kPeriod_s);
   return fly(model, regulator, start, duration_s, guide);
 }
 
@@ -114,7 +114,7 @@ TEST(PositionTrajectory, ObeysItsReferenceErrorDynamics) {
   start.w_body.z() = -v * std::sin(delta) / kAhead_m;
   const CartConfig config;
   const Cart model(config);
-  PositionTrajectory regulator({}, config, vehicle("cart").limits);
+  PositionTrajectory regulator({}, config, vehicle("cart").limits, kPeriod_s);
   regulator.reset(start);
   const Setpoint setpoint = follow(line({0, 0}, {50, 0}), v);
   VehicleState s = start;
@@ -145,7 +145,7 @@ TEST(PositionTrajectory, HoldsItsSpeedAroundAnArcWhileItIsStillOffIt) {
   start.v_world.y() = v;
   const CartConfig config;
   const Cart model(config);
-  PositionTrajectory regulator({}, config, vehicle("cart").limits);
+  PositionTrajectory regulator({}, config, vehicle("cart").limits, kPeriod_s);
   regulator.reset(start);
   const Setpoint setpoint = follow(circle(radius_m, true), v);
   VehicleState s = start;
@@ -192,12 +192,7 @@ TEST(PositionTrajectory, ConvergesFromOffsetsInEveryDirectionWithEveryHeading) {
 
 TEST(PositionTrajectory, TurnsOnTheSpotFirstWhenTheGoalIsBehind) {
   for (const Vector2d& goal : {Vector2d(-3, 0.5), Vector2d(-3, 0), Vector2d(-2, -2)}) {
-    for (const bool with_piece : {false, true}) {
-      Setpoint setpoint = rest_at(goal, 1);
-      if (with_piece) {
-        setpoint.brake_at_target = false;
-        setpoint.piece = line({0, 0}, goal);
-      }
+    for (const Setpoint& setpoint : {rest_at(goal, 1), follow(line({0, 0}, goal), 1, goal)}) {
       const auto states = drive(at_rest({0, 0}, {1, 0}), 3, setpoint);
       const auto off_heading = [&](const VehicleState& s) {
         return std::acos(std::min(1.0, s.heading_world().dot(goal.normalized()))) / kDegree;
@@ -267,16 +262,16 @@ TEST(PositionTrajectory, ScalesBothVoltagesTogether) {
   VehicleState s = at_rest({0, 0}, {1, 0});
   s.v_world.x() = 0.7;
   const Setpoint setpoint = follow(line({0, 1}, {50, 1}), 1);
-  const Command strong = PositionTrajectory({}, CartConfig{}, limits).regulate(setpoint, s);
-  const Command scaled = PositionTrajectory({}, weak, limits).regulate(setpoint, s);
+  const Command strong =
+      PositionTrajectory({}, CartConfig{}, limits, kPeriod_s).regulate(setpoint, s);
+  const Command scaled = PositionTrajectory({}, weak, limits, kPeriod_s).regulate(setpoint, s);
   ASSERT_GT(strong.u[0], 4);
   EXPECT_EQ(scaled.u[0], 4);
   EXPECT_NEAR(scaled.u[1], 4 * strong.u[1] / strong.u[0], 1e-14);
 }
 
 TEST(PositionTrajectory, HeadsForTheTargetWhereAnArcHasNoDirection) {
-  Setpoint setpoint = follow(circle(2, true), 1);
-  setpoint.p_target_world = {2, 0, 0};
+  const Setpoint setpoint = follow(circle(2, true), 1, {2, 0});
   const auto states = drive(at_rest({-kAhead_m, 0}, {1, 0}), 0.5, setpoint);  // P at its centre
   EXPECT_GT(states.back().p_world.x(), -kAhead_m + 0.02);
 }

@@ -4,50 +4,50 @@
 
 #include <gtest/gtest.h>
 
-#include "voronaut/tests/dynamics/course_flight.h"
+#include "voronaut/tests/dynamics/commanded_flight.h"
 
 namespace voronaut {
 namespace {
 
-using testing::CourseFlight;
+using testing::CommandedFlight;
 
 constexpr double kHold_s = 0.1;
 
-Vec2 random_course(CourseFlight& flight) {
+Vec2 random_command(CommandedFlight& flight) {
   return flight.uniform(0, kDepartureSpeed_m_s) * flight.direction();
 }
 
-// How much closer to the place it comes, at worst, holding the course and then braking [m].
-double approach_m(CourseFlight& flight, const Vec2& course, const Vec2& place) {
+// How much closer to the place it comes, at worst, holding the command and then braking [m].
+double approach_m(CommandedFlight& flight, const Vec2& command, const Vec2& place) {
   const Vec2 start = flight.motion().p_m;
   const Vec2 towards = (place - start).normalized();
   const double yaw_rate_rad_s = flight.uniform(-2, 2);
   double worst_m = 0;
   for (int i = 0; i < 400; ++i) {
-    flight.step(i * testing::kPeriod_s < kHold_s - 1e-9 ? course : Vec2(0, 0), yaw_rate_rad_s);
+    flight.step(i * testing::kPeriod_s < kHold_s - 1e-9 ? command : Vec2(0, 0), yaw_rate_rad_s);
     worst_m = std::max(worst_m, (flight.motion().p_m - start).dot(towards));
   }
   return worst_m;
 }
 
-// The worst of many departures: a vehicle creeps about, mostly brakes, and takes a course that, as
+// The worst of many departures: a vehicle creeps about, mostly brakes, and takes a command that, as
 // predicted, leads away from some place.
-double worst_approach_m(CourseFlight flight, int departures) {
+double worst_approach_m(CommandedFlight flight, int departures) {
   double worst_m = 0;
   while (departures > 0) {
     flight.begin();
-    const Vec2 crept = random_course(flight);
+    const Vec2 crept = random_command(flight);
     flight.fly(crept, flight.uniform(0, 2));
     const bool braked = flight.uniform(0, 1) < 0.7;
     if (braked) flight.fly(Vec2(0, 0), flight.uniform(0, 1.5));
-    const Vec2 course = random_course(flight);
+    const Vec2 command = random_command(flight);
     const PlanarMotion now = flight.motion();
-    if (std::max(course.norm(), now.v_m_s.norm()) > kDepartureSpeed_m_s) continue;
+    if (std::max(command.norm(), now.v_m_s.norm()) > kDepartureSpeed_m_s) continue;
     std::vector<Vec2> track;
-    flight.response().predict_stop(now, braked ? Vec2(0, 0) : crept, course, kHold_s, 0.05, track);
+    flight.response().predict_stop(now, braked ? Vec2(0, 0) : crept, command, kHold_s, 0.05, track);
     const Vec2 place = now.p_m + 0.3 * flight.direction();
-    if (!leads_away(course, track, std::vector<Vec2>{place})) continue;
-    worst_m = std::max(worst_m, approach_m(flight, course, place));
+    if (!leads_away(command, track, std::vector<Vec2>{place})) continue;
+    worst_m = std::max(worst_m, approach_m(flight, command, place));
     --departures;
   }
   return worst_m;

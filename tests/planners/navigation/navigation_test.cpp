@@ -1,10 +1,10 @@
 #include <gtest/gtest.h>
 
-#include "voronaut/planners/navigation/gaze.h"
 #include "voronaut/planners/navigation/path_tracker.h"
 #include "voronaut/planners/navigation/replan_policy.h"
 #include "voronaut/planners/navigation/shortcut.h"
 #include "voronaut/planners/navigation/speed_rule.h"
+#include "voronaut/planners/navigation/yaw_policy.h"
 
 namespace voronaut {
 namespace {
@@ -12,17 +12,17 @@ namespace {
 constexpr double kMaxSpeed_m_s = 2.5;
 const ObstacleSnapshot kNothing;
 
-PathTracker tracker_on(const std::vector<Vec2>& points, bool ends_at_goal = true) {
-  PathTracker tracker({}, SpeedProfile{}, kMaxSpeed_m_s);
-  tracker.follow(Path::through(points), ends_at_goal);
+PathTracker tracker_on(const std::vector<Vec2>& points, PathEnd end = PathEnd::goal) {
+  PathTracker tracker({}, SpeedProfile({}), kMaxSpeed_m_s);
+  tracker.follow(Path::through(points), end);
   return tracker;
 }
 
 TEST(PathTracker, AimsFurtherAheadTheFasterItGoes) {
   PathTracker tracker = tracker_on({Vec2(0, 0), Vec2(10, 0)});
   tracker.advance(Vec2(1, 0.2));
-  EXPECT_NEAR(tracker.aim(Vec2(1, 0.2), 0, kNothing, 0.4).p_target_world.x(), 1.25, 1e-12);
-  EXPECT_NEAR(tracker.aim(Vec2(1, 0.2), 2, kNothing, 0.4).p_target_world.x(), 1.95, 1e-12);
+  EXPECT_NEAR(tracker.lookahead(Vec2(1, 0.2), 0, kNothing, 0.4).p_world.x(), 1.25, 1e-12);
+  EXPECT_NEAR(tracker.lookahead(Vec2(1, 0.2), 2, kNothing, 0.4).p_world.x(), 1.95, 1e-12);
   EXPECT_NEAR(tracker.distance_off_path_m(), 0.2, 1e-12);
 }
 
@@ -34,36 +34,36 @@ TEST(PathTracker, StaysOnItsLegOfAHairpin) {
 }
 
 TEST(PathTracker, BrakesForTheGoalAndNotForTheEndOfALeg) {
-  PathTracker to_goal = tracker_on({Vec2(0, 0), Vec2(1, 0)}, true);
-  PathTracker leg = tracker_on({Vec2(0, 0), Vec2(1, 0)}, false);
-  EXPECT_LT(to_goal.aim(Vec2(0, 0), 0, kNothing, 0.4).speed_limit_m_s, 1.0);
-  EXPECT_DOUBLE_EQ(leg.aim(Vec2(0, 0), 0, kNothing, 0.4).speed_limit_m_s, kMaxSpeed_m_s);
-  EXPECT_TRUE(to_goal.aim(Vec2(0, 0), 2.5, kNothing, 0.4).at_goal);
-  EXPECT_FALSE(leg.aim(Vec2(0, 0), 2.5, kNothing, 0.4).at_goal);
+  PathTracker to_goal = tracker_on({Vec2(0, 0), Vec2(1, 0)}, PathEnd::goal);
+  PathTracker leg = tracker_on({Vec2(0, 0), Vec2(1, 0)}, PathEnd::leg);
+  EXPECT_LT(to_goal.lookahead(Vec2(0, 0), 0, kNothing, 0.4).speed_limit_m_s, 1.0);
+  EXPECT_DOUBLE_EQ(leg.lookahead(Vec2(0, 0), 0, kNothing, 0.4).speed_limit_m_s, kMaxSpeed_m_s);
+  EXPECT_EQ(to_goal.lookahead(Vec2(0, 0), 2.5, kNothing, 0.4).end, PathEnd::goal);
+  EXPECT_EQ(leg.lookahead(Vec2(0, 0), 2.5, kNothing, 0.4).end, PathEnd::leg);
 }
 
-TEST(PathTracker, HandsOverThePieceThatHoldsItsTargetButNoneAtTheEnd) {
+TEST(PathTracker, HandsOverTheSegmentThatHoldsItsTargetButNoneAtTheEnd) {
   Path path = Path::through({Vec2(0, 0), Vec2(2, 0)});
   path.append({.kind = PathSegment::Kind::arc,
                .start = Vec2(2, 0),
                .end = Vec2(3, 1),
                .center = Vec2(2, 1)});
-  PathTracker tracker({}, SpeedProfile{}, kMaxSpeed_m_s);
-  tracker.follow(path, true);
-  const auto piece_at = [&](double station_m, double speed_m_s) {
+  PathTracker tracker({}, SpeedProfile({}), kMaxSpeed_m_s);
+  tracker.follow(path, PathEnd::goal);
+  const auto segment_at = [&](double station_m, double speed_m_s) {
     tracker.advance(path.point_at(station_m));
-    return tracker.aim(path.point_at(station_m), speed_m_s, kNothing, 0.4).piece;
+    return tracker.lookahead(path.point_at(station_m), speed_m_s, kNothing, 0.4).segment;
   };
-  const auto line = piece_at(1.5, 0);
+  const auto line = segment_at(1.5, 0);
   ASSERT_TRUE(line);
   EXPECT_EQ(line->end, Vec2(2, 0));
-  const auto arc = piece_at(1.5, 1);
+  const auto arc = segment_at(1.5, 1);
   ASSERT_TRUE(arc);
   EXPECT_EQ(arc->kind, PathSegment::Kind::arc) << "0.6 m ahead is past the joint";
-  EXPECT_TRUE(piece_at(2.4, 0));
-  EXPECT_FALSE(piece_at(3.4, 0));
+  EXPECT_TRUE(segment_at(2.4, 0));
+  EXPECT_FALSE(segment_at(3.4, 0));
   tracker.drop();
-  EXPECT_FALSE(tracker.aim(Vec2(0, 0), 0, kNothing, 0.4).piece);
+  EXPECT_FALSE(tracker.lookahead(Vec2(0, 0), 0, kNothing, 0.4).segment);
 }
 
 TEST(PathTracker, SlowsDownBeforeASharpCorner) {
@@ -74,11 +74,11 @@ TEST(PathTracker, SlowsDownBeforeASharpCorner) {
   EXPECT_DOUBLE_EQ(corner_speed_limit_m_s(bent, 0, kMaxSpeed_m_s, 1), kMaxSpeed_m_s);
 }
 
-TEST(GazePolicy, FixedNeverTurnsAndAlongThePathLooksAMetreAhead) {
+TEST(YawPolicy, FixedNeverTurnsAndAlongThePathLooksAMetreAhead) {
   const PathTracker tracker = tracker_on({Vec2(0, 0), Vec2(0, 5)});
-  GazePolicy fixed(Gaze::fixed, Vec2(1, 0));
+  YawPolicy fixed(YawReference::fixed, Vec2(1, 0));
   EXPECT_EQ(fixed.heading(tracker, Vec2(0, 0), Vec2(0, -1)), Vec2(1, 0));
-  GazePolicy along(Gaze::path, Vec2(1, 0));
+  YawPolicy along(YawReference::path, Vec2(1, 0));
   EXPECT_NEAR((along.heading(tracker, Vec2(0, 0), {}) - Vec2(0, 1)).norm(), 0, 1e-12);
   EXPECT_EQ(along.heading(tracker, Vec2(0, 0), Vec2(-0.4, 0)), Vec2(-1, 0));
 }

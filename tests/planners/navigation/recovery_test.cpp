@@ -14,11 +14,11 @@ namespace {
 constexpr double kTimeout_s = 1.5;
 
 // The next action other than none, of a vehicle that stands at p.
-RecoveryAction next_action(RecoveryPolicy& policy, double& now_s, Headway headway) {
+RecoveryAction next_action(RecoveryPolicy& policy, double& now_s, MissionProgress progress) {
   for (int scan = 0; scan < 100; ++scan) {
     now_s += 0.05;
-    headway.now_s = now_s;
-    const RecoveryAction action = policy.advise(headway);
+    progress.now_s = now_s;
+    const RecoveryAction action = policy.advise(progress);
     if (action != RecoveryAction::none) return action;
   }
   return RecoveryAction::none;
@@ -27,45 +27,45 @@ RecoveryAction next_action(RecoveryPolicy& policy, double& now_s, Headway headwa
 TEST(RecoveryPolicy, GoesFromTheMildestStepToTheHarshest) {
   RecoveryPolicy policy(kTimeout_s);
   double now_s = 0;
-  Headway stalled;
+  MissionProgress stalled;
   stalled.wants_to_move = true;
-  stalled.too_close = true;
+  stalled.obstacle_within_clearance = true;
   EXPECT_EQ(next_action(policy, now_s, stalled), RecoveryAction::back_off);
   EXPECT_GE(now_s, kTimeout_s);
   EXPECT_EQ(next_action(policy, now_s, stalled), RecoveryAction::look_around);
-  EXPECT_EQ(next_action(policy, now_s, stalled), RecoveryAction::squeeze);
+  EXPECT_EQ(next_action(policy, now_s, stalled), RecoveryAction::reduce_clearance);
   EXPECT_EQ(next_action(policy, now_s, stalled), RecoveryAction::add_virtual_obstacle);
 }
 
 TEST(RecoveryPolicy, BeginsANewRoundWithoutTheVirtualObstaclesOfTheLast) {
   RecoveryPolicy policy(kTimeout_s);
   double now_s = 0;
-  Headway stalled;
+  MissionProgress stalled;
   stalled.wants_to_move = true;
-  stalled.too_close = true;
+  stalled.obstacle_within_clearance = true;
   for (int step = 0; step < 4; ++step) next_action(policy, now_s, stalled);
   stalled.virtual_in_force = true;
   EXPECT_EQ(next_action(policy, now_s, stalled), RecoveryAction::drop_virtual_obstacles);
   EXPECT_EQ(next_action(policy, now_s, stalled), RecoveryAction::look_around);
-  EXPECT_EQ(next_action(policy, now_s, stalled), RecoveryAction::squeeze);
+  EXPECT_EQ(next_action(policy, now_s, stalled), RecoveryAction::reduce_clearance);
 }
 
 TEST(RecoveryPolicy, LooksBeforeItBacksOffFromWhatIsUnknown) {
   RecoveryPolicy policy(kTimeout_s);
   double now_s = 0;
-  Headway stalled;
+  MissionProgress stalled;
   stalled.wants_to_move = true;
-  stalled.hemmed_in = true;
+  stalled.unknown_within_clearance = true;
   EXPECT_EQ(next_action(policy, now_s, stalled), RecoveryAction::look_around);
   EXPECT_EQ(next_action(policy, now_s, stalled), RecoveryAction::back_off);
-  EXPECT_EQ(next_action(policy, now_s, stalled), RecoveryAction::squeeze);
+  EXPECT_EQ(next_action(policy, now_s, stalled), RecoveryAction::reduce_clearance);
   EXPECT_EQ(next_action(policy, now_s, stalled), RecoveryAction::add_virtual_obstacle);
 }
 
 TEST(RecoveryPolicy, LetsAVehicleThatMovesAlone) {
   RecoveryPolicy policy(kTimeout_s);
   double now_s = 0;
-  Headway moving;
+  MissionProgress moving;
   moving.wants_to_move = true;
   moving.speed_m_s = 0.5;
   EXPECT_EQ(next_action(policy, now_s, moving), RecoveryAction::none);
@@ -74,7 +74,7 @@ TEST(RecoveryPolicy, LetsAVehicleThatMovesAlone) {
 TEST(RecoveryPolicy, StartsAnewOnceItHasGotAway) {
   RecoveryPolicy policy(kTimeout_s);
   double now_s = 0;
-  Headway stalled;
+  MissionProgress stalled;
   stalled.wants_to_move = true;
   EXPECT_EQ(next_action(policy, now_s, stalled), RecoveryAction::look_around);
   EXPECT_EQ(next_action(policy, now_s, stalled), RecoveryAction::look_around);
@@ -85,7 +85,7 @@ TEST(RecoveryPolicy, StartsAnewOnceItHasGotAway) {
 TEST(RecoveryPolicy, DropsVirtualObstaclesWhenPlanningFailsWithThemButNotForEver) {
   RecoveryPolicy policy(kTimeout_s);
   double now_s = 0;
-  Headway without_path;
+  MissionProgress without_path;
   without_path.virtual_in_force = true;
   for (int i = 0; i < 3; ++i)
     EXPECT_EQ(next_action(policy, now_s, without_path), RecoveryAction::drop_virtual_obstacles);
@@ -95,12 +95,12 @@ TEST(RecoveryPolicy, DropsVirtualObstaclesWhenPlanningFailsWithThemButNotForEver
 TEST(RecoveryPolicy, GoesBackFromWhatIsTooCloseWhereNoPathIsFound) {
   RecoveryPolicy policy(kTimeout_s);
   double now_s = 0;
-  Headway without_path;
-  without_path.too_close = true;
+  MissionProgress without_path;
+  without_path.obstacle_within_clearance = true;
   EXPECT_EQ(next_action(policy, now_s, without_path), RecoveryAction::back_off);
   EXPECT_EQ(next_action(policy, now_s, without_path), RecoveryAction::look_around);
   EXPECT_EQ(next_action(policy, now_s, without_path), RecoveryAction::retrace);
-  without_path.too_close = false;
+  without_path.obstacle_within_clearance = false;
   EXPECT_EQ(next_action(policy, now_s, without_path), RecoveryAction::look_around);
 }
 

@@ -41,19 +41,19 @@ struct Dash {
   double range_bias_m = 0;  // added to every return
   double braking = 1;       // share of the deceleration that the governor counts on
   double start_speed_m_s = 0;
-  double dead_time_s = 0;  // courses take effect so much later
+  double dead_time_s = 0;  // commands take effect so much later
   bool governed = true;
 
   // Smallest clearance of the centre to the true surface over the flight.
   double clearance_min_m() const {
     VehicleSpec spec = vehicle(vehicle_name);
     const RegulatorConfig regulator_config = regulator(spec.regulator);
-    SafetyGovernor governor(velocity_response(regulator_config, spec), kBodyRadius_m, kClearance_m,
-                            kStepsPerScan * kPeriod_s);
+    SafetyGovernor governor(velocity_response(regulator_config, spec, kPeriod_s), kBodyRadius_m,
+                            kClearance_m, kStepsPerScan * kPeriod_s);
     spec.limits.max_acceleration_m_s2 *= braking;
     spec.limits.max_tilt_rad *= braking;
     const auto model = make_model(spec.model);
-    const auto pilot = make_regulator(regulator_config, spec);
+    const auto pilot = make_regulator(regulator_config, spec, kPeriod_s);
     const RangeFinder finder{RangeFinderConfig{}};
     Random random(1);
     ObstacleBase base({});
@@ -67,8 +67,8 @@ struct Dash {
     pilot->reset(state);
     Command pending = model->hold();
     Setpoint setpoint;
-    setpoint.p_target_world.z() = 1;
-    std::vector<Vec2> courses;
+    setpoint.height_m = 1;
+    std::vector<Vec2> commands;
     double smallest = std::numeric_limits<double>::infinity();
     Scan scan;
     for (int step = 0; step < 600; ++step) {
@@ -79,11 +79,13 @@ struct Dash {
         base.update(scan);
         free.update(scan);
         const Vec2 wanted(2.5, 0);
-        courses.push_back(governed ? governor.allow(wanted, state, free, base.snapshot()).v_world
-                                   : wanted);
+        commands.push_back(
+            governed ? governor.allow(wanted, state, free, base.snapshot(), KnownClearance::planned)
+                           .v_world
+                     : wanted);
         const auto late = static_cast<std::size_t>(dead_time_s / (kStepsPerScan * kPeriod_s) + 0.5);
-        setpoint.course_m_s =
-            courses.size() > late ? courses[courses.size() - 1 - late] : Vec2(0, 0);
+        setpoint.motion = VelocityCommand{
+            commands.size() > late ? commands[commands.size() - 1 - late] : Vec2(0, 0)};
       }
       smallest = std::min(smallest, world.clearance_m(p));
       const Command next = pilot->regulate(setpoint, state);
@@ -127,52 +129,56 @@ TEST(SafetyGovernor, StopsACarelessPilotBeforeTheWall) {
 
 TEST(SafetyGovernor, LetsFullSpeedPassWhereNothingIsInTheWay) {
   const VehicleSpec spec = vehicle("quadrotor");
-  SafetyGovernor governor(velocity_response(regulator("pd_rate"), spec), kBodyRadius_m,
+  SafetyGovernor governor(velocity_response(regulator("pd_rate"), spec, kPeriod_s), kBodyRadius_m,
                           kClearance_m, 0.05);
   FreeSpace free(kBounds);
   free.mark_disc(Vec2(0, 0), 3);
   const VehicleState state = make_model(spec.model)->at_rest({0, 0, 1}, {1, 0});
-  EXPECT_EQ(governor.allow(Vec2(2.5, 0), state, free, {}).share, 1);
-  EXPECT_FALSE(governor.allow(Vec2(2.5, 0), state, free, {}).refused_at);
+  EXPECT_EQ(governor.allow(Vec2(2.5, 0), state, free, {}, KnownClearance::planned).speed_scale, 1);
+  EXPECT_FALSE(governor.allow(Vec2(2.5, 0), state, free, {}, KnownClearance::planned).refused_at);
 }
 
 TEST(SafetyGovernor, NamesThePlaceThatNobodyKnows) {
-  SafetyGovernor governor(velocity_response(regulator("ideal"), vehicle("ideal")), kBodyRadius_m,
-                          kClearance_m, 0.05);
+  SafetyGovernor governor(velocity_response(regulator("ideal"), vehicle("ideal"), kPeriod_s),
+                          kBodyRadius_m, kClearance_m, 0.05);
   FreeSpace free(kBounds);
   free.mark_disc(Vec2(0, 0), 0.3);
   const VehicleState state = make_model(vehicle("ideal").model)->at_rest({0, 0, 1}, {1, 0});
-  const GovernedCourse course = governor.allow(Vec2(2.5, 0), state, free, {});
-  EXPECT_LT(course.share, 1);
-  ASSERT_TRUE(course.refused_at);
-  EXPECT_FALSE(free.is_free(*course.refused_at));
-  EXPECT_GT(course.refused_at->x(), 0);
+  const GovernedVelocity allowed =
+      governor.allow(Vec2(2.5, 0), state, free, {}, KnownClearance::planned);
+  EXPECT_LT(allowed.speed_scale, 1);
+  ASSERT_TRUE(allowed.refused_at);
+  EXPECT_FALSE(free.is_free(*allowed.refused_at));
+  EXPECT_GT(allowed.refused_at->x(), 0);
 }
 
 TEST(SafetyGovernor, LetsAVehicleLeaveAWallThatItStandsTooCloseTo) {
   for (const char* name : {"ideal", "quadrotor"}) {
     const VehicleSpec spec = vehicle(name);
-    SafetyGovernor governor(velocity_response(regulator(spec.regulator), spec), kBodyRadius_m,
-                            kClearance_m, 0.05);
+    SafetyGovernor governor(velocity_response(regulator(spec.regulator), spec, kPeriod_s),
+                            kBodyRadius_m, kClearance_m, 0.05);
     FreeSpace free(kBounds);
     free.mark_disc(Vec2(-1, 0), 1.2);  // the body's own disc is not wholly known free
     const VehicleState state = make_model(spec.model)->at_rest({0, 0, 1}, {1, 0});
-    EXPECT_GT(governor.allow(Vec2(-1, 0), state, free, {}).share, 0) << name;
-    EXPECT_EQ(governor.allow(Vec2(1, 0), state, free, {}).share, 0) << name;
-    EXPECT_EQ(governor.allow(Vec2(0, 1), state, free, {}).share, 0) << name;
+    EXPECT_GT(governor.allow(Vec2(-1, 0), state, free, {}, KnownClearance::planned).speed_scale, 0)
+        << name;
+    EXPECT_EQ(governor.allow(Vec2(1, 0), state, free, {}, KnownClearance::planned).speed_scale, 0)
+        << name;
+    EXPECT_EQ(governor.allow(Vec2(0, 1), state, free, {}, KnownClearance::planned).speed_scale, 0)
+        << name;
   }
 }
 
-TEST(SafetyGovernor, LetsAVehicleSqueezeThroughWhatIsKnownFreeOnly) {
-  SafetyGovernor governor(velocity_response(regulator("ideal"), vehicle("ideal")), kBodyRadius_m,
-                          kClearance_m, 0.05);
+TEST(SafetyGovernor, AtReducedClearanceAsksOnlyForWhatIsKnownFree) {
+  SafetyGovernor governor(velocity_response(regulator("ideal"), vehicle("ideal"), kPeriod_s),
+                          kBodyRadius_m, kClearance_m, 0.05);
   FreeSpace free(kBounds);
   free.mark_disc(Vec2(0, 0), 3);
   const auto posts = test::base_of({Vec2(0.1, 0.35), Vec2(0.1, -0.35)});
   const ObstacleSnapshot known = posts->snapshot();
   const VehicleState state = make_model(vehicle("ideal").model)->at_rest({0, 0, 1}, {1, 0});
-  EXPECT_EQ(governor.allow(Vec2(1, 0), state, free, known).share, 0);
-  EXPECT_GT(governor.allow(Vec2(1, 0), state, free, known, true).share, 0);
+  EXPECT_EQ(governor.allow(Vec2(1, 0), state, free, known, KnownClearance::planned).speed_scale, 0);
+  EXPECT_GT(governor.allow(Vec2(1, 0), state, free, known, KnownClearance::reduced).speed_scale, 0);
 }
 
 // Each condition of the proof, broken: the vehicle touches.

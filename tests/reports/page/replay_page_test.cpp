@@ -87,7 +87,7 @@ TEST_F(ReplayPage, TellsWhatGovernorAndSearchDidAtTheMomentShown) {
                              stored.tube[i].y_m - stored.tube[i - 1].y_m);
       }
       const std::string share = shown.substr(shown.find("governor") + 8);
-      EXPECT_NEAR(std::stod(share), 100 * stored.governed_share, 0.51);
+      EXPECT_NEAR(std::stod(share), 100 * stored.speed_scale, 0.51);
       const std::string told = shown.substr(shown.find("stop in ") + 8);
       EXPECT_NEAR(std::stod(told), stop_m, 0.02);
     }

@@ -45,7 +45,7 @@ void expect_frames_near(const TraceFrame& a, const TraceFrame& b) {
   EXPECT_EQ(a.search, b.search);
   EXPECT_EQ(a.replan, b.replan);
   EXPECT_EQ(a.solve_end, b.solve_end);
-  EXPECT_NEAR(a.governed_share, b.governed_share, 0.5e-3 + 1e-9);
+  EXPECT_NEAR(a.speed_scale, b.speed_scale, 0.5e-3 + 1e-9);
   expect_points_near(a.tube, b.tube);
   ASSERT_EQ(a.range_m.size(), b.range_m.size());
   for (std::size_t k = 0; k < a.range_m.size(); ++k) {

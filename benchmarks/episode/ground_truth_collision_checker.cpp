@@ -1,11 +1,11 @@
+#include "voronaut/benchmarks/episode/ground_truth_collision_checker.h"
+
 #include <fcl/broadphase/broadphase_dynamic_AABB_tree.h>
 #include <fcl/broadphase/default_broadphase_callbacks.h>
 #include <fcl/geometry/bvh/BVH_model.h>
 #include <fcl/geometry/shape/cylinder.h>
 #include <fcl/narrowphase/collision.h>
 #include <fcl/narrowphase/collision_object.h>
-
-#include "voronaut/benchmarks/episode/referee.h"
 
 namespace voronaut {
 
@@ -47,7 +47,7 @@ fcl::Transform3d at(const Vec2& p) {
 
 }  // namespace
 
-struct ContactOracle::Scene {
+struct GroundTruthCollisionChecker::Scene {
   std::vector<std::unique_ptr<fcl::CollisionObjectd>> obstacles;
   fcl::DynamicAABBTreeCollisionManagerd tree;
   std::unique_ptr<fcl::CollisionObjectd> body;
@@ -58,7 +58,7 @@ struct ContactOracle::Scene {
   }
 };
 
-ContactOracle::ContactOracle(const Shapes& shapes, double body_radius_m)
+GroundTruthCollisionChecker::GroundTruthCollisionChecker(const Shapes& shapes, double body_radius_m)
     : scene_(std::make_unique<Scene>()) {
   for (const Circle& circle : shapes.circles) {
     scene_->add(std::make_shared<fcl::Cylinderd>(circle.radius_m, kObstacleHeight_m),
@@ -72,9 +72,9 @@ ContactOracle::ContactOracle(const Shapes& shapes, double body_radius_m)
       std::make_shared<fcl::Cylinderd>(body_radius_m, kBodyHeight_m), fcl::Transform3d::Identity());
 }
 
-ContactOracle::~ContactOracle() = default;
+GroundTruthCollisionChecker::~GroundTruthCollisionChecker() = default;
 
-bool ContactOracle::touches(const Vec2& p_world) const {
+bool GroundTruthCollisionChecker::touches(const Vec2& p_world) const {
   scene_->body->setTransform(at(p_world));
   scene_->body->computeAABB();
   fcl::DefaultCollisionData<double> contact;

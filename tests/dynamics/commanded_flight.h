@@ -11,39 +11,40 @@
 
 namespace voronaut::testing {
 
-// A vehicle that flies one commanded course after the other at 1 m of height, turning as it likes.
-class CourseFlight {
+// A vehicle that flies one commanded velocity after the other at 1 m of height, turning as it
+// likes.
+class CommandedFlight {
  public:
-  CourseFlight(VehicleSpec spec, const RegulatorConfig& config, unsigned seed)
+  CommandedFlight(VehicleSpec spec, const RegulatorConfig& config, unsigned seed)
       : spec_(std::move(spec)),
         config_(config),
         model_(make_model(spec_.model)),
-        response_(velocity_response(config, spec_)),
+        response_(velocity_response(config, spec_, kPeriod_s)),
         random_(seed) {}
 
   // Begins anew, at rest.
   void begin() {
-    regulator_ = make_regulator(config_, spec_);
+    regulator_ = make_regulator(config_, spec_, kPeriod_s);
     state_ = model_->at_rest({0, 0, 1}, {1, 0});
     regulator_->reset(state_);
     pending_ = model_->hold();
     turns_on_ = uniform(0, 1) < 0.5;
     yaw_rate_rad_s_ = uniform(-2, 2);
   }
-  void step(const Eigen::Vector2d& course_m_s, double yaw_rate_rad_s) {
+  void step(const Eigen::Vector2d& v_command_m_s, double yaw_rate_rad_s) {
     Setpoint setpoint;
-    setpoint.p_target_world = {0, 0, 1};
-    setpoint.course_m_s = course_m_s;
+    setpoint.height_m = 1;
+    setpoint.motion = VelocityCommand{v_command_m_s};
     if (turns_on_) setpoint.heading_world = state_.heading_world();
     setpoint.yaw_rate_rad_s = yaw_rate_rad_s;
     const Command next = regulator_->regulate(setpoint, state_);
     state_ = model_->step(state_, pending_, kPeriod_s);
     pending_ = next;
   }
-  void fly(const Eigen::Vector2d& course_m_s, double duration_s) {
+  void fly(const Eigen::Vector2d& v_command_m_s, double duration_s) {
     if (!turns_on_) yaw_rate_rad_s_ = uniform(-2, 2);
     const long steps = std::lround(duration_s / kPeriod_s);
-    for (long i = 0; i < steps; ++i) step(course_m_s, yaw_rate_rad_s_);
+    for (long i = 0; i < steps; ++i) step(v_command_m_s, yaw_rate_rad_s_);
   }
 
   double uniform(double low, double high) {
@@ -68,7 +69,7 @@ class CourseFlight {
   std::unique_ptr<Regulator> regulator_;
   VehicleState state_;
   Command pending_;
-  bool turns_on_ = false;  // all through the flight; else another rate for every course
+  bool turns_on_ = false;  // all through the flight; else another rate for every command
   double yaw_rate_rad_s_ = 0;
 };
 

@@ -10,23 +10,23 @@
 namespace voronaut {
 
 // Where the vehicle looks: the range finder sees what lies around that direction.
-class GazePolicy {
+class YawPolicy {
  public:
-  GazePolicy(Gaze gaze, const Eigen::Vector2d& start_heading)
-      : gaze_(gaze), heading_(start_heading) {}
+  YawPolicy(YawReference reference, const Eigen::Vector2d& start_heading)
+      : reference_(reference), heading_(start_heading) {}
 
   // Unit vector. Along the path it is a point about a metre ahead; closer than that to its end the
-  // gaze rests. A vehicle that is held back for a place in doubt looks there.
+  // heading rests. A vehicle that is held back for an unknown place looks there.
   Eigen::Vector2d heading(const PathTracker& tracker, const Eigen::Vector2d& p_world,
-                          const std::optional<Eigen::Vector2d>& in_doubt_world);
+                          const std::optional<Eigen::Vector2d>& unknown_ahead_world);
 
-  // Turning rate that brings the gaze there sooner than the regulator's own yaw loop would
-  // (feedforward), given where the vehicle looks now. 0 for a fixed gaze.
+  // Turning rate that brings the heading there sooner than the regulator's own yaw loop would
+  // (feedforward), given where the vehicle looks now. 0 for a fixed heading.
   double yaw_rate_rad_s(const Eigen::Vector2d& wanted_heading,
                         const Eigen::Vector2d& heading_now) const;
 
  private:
-  Gaze gaze_;
+  YawReference reference_;
   Eigen::Vector2d heading_;
 };
 

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <memory>
+
+#include "voronaut/environments/shapes/shapes.h"
+
+namespace voronaut {
+
+// Contacts of an upright cylinder with the true world, answered by FCL: an opinion that shares no
+// code with our planners, sensors and clearances. Circles are cylinders, walls and the outlines of
+// polygons are upright rectangles; a body that starts inside a polygon is the scenario's error.
+// Within 1e-5 m of a surface FCL's iterative answer may fall either way.
+class GroundTruthCollisionChecker {
+ public:
+  GroundTruthCollisionChecker(const Shapes& shapes, double body_radius_m);
+  ~GroundTruthCollisionChecker();
+
+  // True if the body centred at p touches anything. O(log n) broad phase plus the overlapping
+  // pairs.
+  bool touches(const Vec2& p_world) const;
+
+ private:
+  struct Scene;
+  std::unique_ptr<Scene> scene_;
+};
+
+}  // namespace voronaut

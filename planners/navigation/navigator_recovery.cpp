@@ -1,0 +1,83 @@
+#include "voronaut/planners/navigation/navigator.h"
+
+// What to do when the vehicle does not get on: which step is recovery.h's to say.
+namespace voronaut {
+
+// The known point that is closer to p than planners plan.
+std::optional<Vec2> Navigator::nearest_obstacle_within_clearance(const Vec2& p_world) const {
+  const ObstacleSnapshot known = map_.snapshot();
+  const auto nearest = known.nearest(p_world, config_.vehicle.clearance_min_m);
+  return nearest ? std::optional(known.points()[*nearest]) : std::nullopt;
+}
+
+// An unknown place as close as that, for which the governor refused.
+std::optional<Vec2> Navigator::nearest_unknown_within_clearance(const Vec2& p_world) const {
+  const bool near =
+      refused_at_ && (*refused_at_ - p_world).norm() < config_.vehicle.clearance_min_m;
+  return near ? refused_at_ : std::nullopt;
+}
+
+std::optional<Vec2> Navigator::nearest_within_clearance(const Vec2& p_world) const {
+  const auto obstacle = nearest_obstacle_within_clearance(p_world);
+  return obstacle ? obstacle : nearest_unknown_within_clearance(p_world);
+}
+
+// For whose sake the governor keeps the vehicle from moving on.
+std::optional<Vec2> Navigator::unknown_that_holds_back(const VehicleState& state) const {
+  const bool held_back =
+      report_.speed_scale < kHeldBackScale && state.v_world.head<2>().norm() < kHeldBack_m_s;
+  return held_back ? refused_at_ : std::nullopt;
+}
+
+void Navigator::recover(const VehicleState& state, double now_s) {
+  const bool was_looking = look_around_.active();
+  look_around_.advance(state.heading_world());
+  if (was_looking && !look_around_.active()) tracker_.drop();  // plan anew with what was seen
+  if (was_looking || now_s < back_off_until_s_ || arrived_) {
+    recovery_.resume();
+    return;
+  }
+  const Vec2 p = state.p_world.head<2>();
+  const MissionProgress progress{
+      .now_s = now_s,
+      .p_world = p,
+      .speed_m_s = state.v_world.head<2>().norm(),
+      .wants_to_move = tracker_.has_path(),
+      .obstacle_within_clearance = nearest_obstacle_within_clearance(p).has_value(),
+      .unknown_within_clearance = nearest_unknown_within_clearance(p).has_value(),
+      .virtual_in_force = !virtual_obstacles_.empty()};
+  act(recovery_.advise(progress), state, now_s);
+}
+
+void Navigator::act(RecoveryAction action, const VehicleState& state, double now_s) {
+  const bool turns_first = config_.vehicle.steering == Steering::along_heading;
+  switch (action) {
+    case RecoveryAction::none:
+      return;
+    case RecoveryAction::back_off:
+      back_off_until_s_ = now_s + kBackOff_s + (turns_first ? kTurnRound_s : 0);
+      back_off_from_ = nearest_within_clearance(state.p_world.head<2>());
+      return;
+    case RecoveryAction::reduce_clearance:
+      reduced_clearance_until_s_ = now_s + kReducedClearance_s;
+      return;
+    case RecoveryAction::retrace:
+      retrace();
+      return;
+    case RecoveryAction::drop_virtual_obstacles:
+      virtual_obstacles_.clear();
+      break;
+    case RecoveryAction::add_virtual_obstacle:
+      if (!refused_at_) break;
+      virtual_obstacles_.add(*refused_at_);
+      belief_.obstacles = virtual_obstacles_.over(map_.snapshot());
+      tracker_.drop();
+      return;
+    case RecoveryAction::look_around:
+      break;
+  }
+  belief_.obstacles = virtual_obstacles_.over(map_.snapshot());
+  look_around_.begin(state.heading_world());
+}
+
+}  // namespace voronaut

@@ -1,0 +1,101 @@
+#include <algorithm>
+#include <utility>
+
+#include "voronaut/planners/navigation/navigator.h"
+
+// Where to go now, how fast, and what the governor says to it.
+namespace voronaut {
+
+namespace {
+
+// A repulsion is at most this many times as strong as the wish to go on.
+constexpr double kRepulsionMax = 2;
+// What is left of a direction and a repulsion that cancel has none.
+constexpr double kNoDirection = 0.1;
+
+}  // namespace
+
+Setpoint Navigator::steer(const VehicleState& state, double now_s) {
+  note_arrival(state);
+  const bool scan_is_new = std::exchange(scan_is_new_, false);
+  if (governor_ && !scan_is_new) return report_.setpoint;
+  const Vec2 p = state.p_world.head<2>();
+  Setpoint setpoint;
+  setpoint.height_m = config_.mission.cruise_height_m;
+  setpoint.heading_world = yaw_policy_.heading(tracker_, p, unknown_that_holds_back(state));
+  const LookaheadPoint ahead = lookahead(state, now_s, setpoint);
+  const Vec2 way = ahead.p_world - p;
+  const KnownClearance kept = retracing_ || now_s < reduced_clearance_until_s_
+                                  ? KnownClearance::reduced
+                                  : KnownClearance::planned;
+  Vec2 towards = way.norm() > 0 ? Vec2(way.normalized()) : setpoint.heading_world;
+  if (way.norm() > 0 && kept == KnownClearance::planned) towards = repulsive_heading(towards, p);
+  const double speed_m_s =
+      speed_limit_m_s(config_.navigation.speed_rule, belief_, towards, braking_,
+                      config_.navigation.reaction_time_s, ahead.speed_limit_m_s);
+  if (governor_)
+    setpoint.motion = govern(speed_m_s * towards, state, kept);
+  else if (ahead.end == PathEnd::goal)
+    setpoint.motion = RestAtTarget{ahead.p_world, speed_m_s};
+  else
+    setpoint.motion = PassTarget{ahead.p_world, speed_m_s, ahead.segment};
+  report_.lookahead_world = ahead.p_world;
+  report_.setpoint = setpoint;
+  return setpoint;
+}
+
+// The point to head for; on the spot, unless there is a reason to go. Says what the executive is
+// about, and how fast to turn.
+LookaheadPoint Navigator::lookahead(const VehicleState& state, double now_s, Setpoint& setpoint) {
+  const Vec2 p = state.p_world.head<2>();
+  const bool departed = report_.departed_s.has_value();
+  const LookaheadPoint here{.p_world = p};
+  if (look_around_.active()) {
+    report_.executive = ExecutiveState::looking_around;
+    setpoint.heading_world = state.heading_world();
+    setpoint.yaw_rate_rad_s = config_.vehicle.limits.max_yaw_rate_rad_s;
+    return here;
+  }
+  if (departed && now_s < back_off_until_s_) {
+    report_.executive = ExecutiveState::backing_off;
+    const auto obstacle = nearest_obstacle_within_clearance(p);
+    const auto from = obstacle ? obstacle : back_off_from_;
+    return from ? LookaheadPoint{p + (p - *from).normalized(), kBackOff_m_s} : here;
+  }
+  if (tracker_.has_path()) {
+    report_.executive = retracing_ ? ExecutiveState::retracing : ExecutiveState::tracking;
+    setpoint.yaw_rate_rad_s =
+        yaw_policy_.yaw_rate_rad_s(setpoint.heading_world, state.heading_world());
+    tracker_.advance(p);
+    return tracker_.lookahead(p, state.v_world.head<2>().norm(), belief_.obstacles,
+                              config_.vehicle.clearance_min_m);
+  }
+  if (departed) report_.executive = ExecutiveState::without_path;
+  return here;
+}
+
+// Closer to a known point than planners plan, a heading also leads away from it.
+Vec2 Navigator::repulsive_heading(const Vec2& towards, const Vec2& p_world) const {
+  const auto nearest = nearest_obstacle_within_clearance(p_world);
+  if (!governor_ || !nearest) return towards;
+  const Vec2 from_nearest = p_world - *nearest;
+  const double distance_m = from_nearest.norm();
+  if (distance_m == 0) return towards;
+  const double repulsion = std::min(kRepulsionMax, (config_.vehicle.clearance_min_m - distance_m) /
+                                                       SafetyGovernor::kKnownMargin_m);
+  const Vec2 blended = towards + (repulsion / distance_m) * from_nearest;
+  return blended.norm() > kNoDirection ? Vec2(blended.normalized())
+                                       : Vec2(from_nearest / distance_m);
+}
+
+VelocityCommand Navigator::govern(const Vec2& v_wanted_m_s, const VehicleState& state,
+                                  KnownClearance kept) {
+  const GovernedVelocity& allowed =
+      governor_->allow(v_wanted_m_s, state, free_space_, map_.snapshot(), kept);
+  refused_at_ = allowed.refused_at;
+  report_.speed_scale = allowed.speed_scale;
+  report_.tube_world = allowed.tube_world;
+  return {allowed.v_world};
+}
+
+}  // namespace voronaut
