@@ -50,7 +50,7 @@ void judge(RunRecord& record, const StaticSolve& solved, const SolutionPath& pat
   const auto* insight = dynamic_cast<const PlannerInsight*>(solved.planner.get());
   record.reason = status.asString();
   if (path.to_goal) {
-    const bool clear = is_clear(path.p_world, unseen.request(), unseen.truth());
+    const bool clear = is_clear(path.p_world, unseen.request(), &unseen.truth());
     record.outcome = clear ? Outcome::goal_reached : Outcome::collision;
     if (status == ob::PlannerStatus::APPROXIMATE_SOLUTION)
       record.reason += ", but its path ends at the goal";
@@ -136,9 +136,9 @@ TrialResult run_static_trial(const TrialSpec& spec, const PlannerCatalog& planne
   seed_ompl(spec.planner_seed);
   StaticSolve solved(spec, planners, keep_trace);
 
-  const SolutionPath found =
-      solution_path(solved.report.status, *solved.problem.definition(),
-                    *unseen.space_information()->getStateSpace(), unseen.request(), unseen.truth());
+  const SolutionPath found = solution_path(solved.report.status, *solved.problem.definition(),
+                                           *unseen.space_information()->getStateSpace(),
+                                           unseen.request(), &unseen.truth());
   TrialResult result{record_of(spec, solved, found, unseen), std::nullopt};
   if (!keep_trace) return result;
   result.trace = static_trace(
