@@ -127,6 +127,14 @@ TEST_F(Folder, BelongsToOneRunnerAndSaysWhoHoldsIt) {
   EXPECT_EQ(files_in("r"), kWholeFolder);
 }
 
+TEST_F(Folder, IsMovedAsideWholeWhenTheSuiteIsAnother) {
+  ASSERT_EQ(voronaut("run s.yaml"), 0) << said();
+  write("s.yaml", text_of("s.yaml") + "seed: 2\n");
+  ASSERT_EQ(voronaut("run s.yaml"), 0) << said();
+  EXPECT_EQ(files_in("voronaut-results/s.1"), kWholeFolder);
+  EXPECT_EQ(files_in("voronaut-results/s"), kWholeFolder);
+}
+
 TEST_F(Folder, LosesLeftoverTemporaryFilesAndNothingElse) {
   for (const char* name : {"r/report.html.part4711", "r/results.csv.part", "r/my.part.txt"})
     write(name, "x");
