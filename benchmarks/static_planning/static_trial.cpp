@@ -50,7 +50,7 @@ void judge(RunRecord& record, const StaticSolve& solved, const SolutionPath& pat
   const auto* insight = dynamic_cast<const PlannerInsight*>(solved.planner.get());
   record.reason = status.asString();
   if (path.to_goal) {
-    const bool clear = is_clear(path.p_world, unseen.request(), &unseen.truth());
+    const bool clear = is_clear(path.p_world, unseen.request(), unseen.truth());
     record.outcome = clear ? Outcome::goal_reached : Outcome::collision;
     if (status == ob::PlannerStatus::APPROXIMATE_SOLUTION)
       record.reason += ", but its path ends at the goal";
