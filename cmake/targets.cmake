@@ -110,6 +110,8 @@ function(voronaut_test name)
       LIBRARIES voronaut_ompl GTest::gmock_main)
   endif()
   voronaut_precompile(${name}_tests test)
+  # Boost's package defines it for those that link OMPL; precompiled headers hold for all or none.
+  target_compile_definitions(${name}_tests PRIVATE BOOST_ALL_NO_LIB)
   target_compile_definitions(${name}_tests PRIVATE
     VORONAUT_SOURCE_DIR="${PROJECT_SOURCE_DIR}" VORONAUT_BINARY_DIR="${PROJECT_BINARY_DIR}")
   gtest_discover_tests(${name}_tests TEST_PREFIX "${name}." DISCOVERY_TIMEOUT 60)
