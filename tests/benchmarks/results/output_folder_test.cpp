@@ -99,12 +99,12 @@ TEST_F(Folder, KilledAgainAndAgainIsCompletedByTheSameCommand) {
 
 TEST_F(Folder, OnADiskThatIsFullIsCompletedByTheSameCommandWhenItIsNot) {
   ASSERT_EQ(voronaut("run s.yaml --out whole"), 0) << said();
-  for (const char* blocks : {"0", "1", "8", "40", "120", "300", "600"}) {
+  for (const char* blocks : {"1", "8", "40", "120", "300", "600"}) {
     fs::remove_all(path("r"));
     const int code = voronaut("run s.yaml --out r", std::string("ulimit -f ") + blocks + ";");
     if (code != 0) {
       EXPECT_THAT(said(), HasSubstr("voronaut: ")) << blocks;
-      EXPECT_THAT(said(), ::testing::AnyOf(HasSubstr("File too large"), HasSubstr("full")));
+      EXPECT_THAT(said(), ::testing::AnyOf(HasSubstr("File too large"), HasSubstr("disk")));
     }
     ASSERT_EQ(voronaut("run s.yaml --out r"), 0) << blocks << ": " << said();
     EXPECT_EQ(digest_of("r"), digest_of("whole"));
