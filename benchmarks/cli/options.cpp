@@ -134,7 +134,7 @@ struct Commands {
     show_command = add_command(app, "show", "Draw a scenario or a foreign world as a figure");
     show_command->add_option("FILE", show.file, "Scenario file, or a file of docs/formats.md")
         ->required();
-    show_command->add_option("-o,--output", show.out, "File.svg or file.png")->required();
+    show_command->add_option("-o,--output", show.out, "File.svg, file.png or file.wkt")->required();
     show_command->add_option("--format", show.format, "Of a foreign world [as the file looks]")
         ->check(CLI::IsMember(foreign_format_names()));
     show_command->add_option("--seed", show.seed, "Of a random world")

@@ -5,6 +5,8 @@
 #include <cstdlib>
 #include <stdexcept>
 
+#include "voronaut/reports/summary/estimate.h"
+
 namespace voronaut::micro {
 namespace {
 
@@ -47,8 +49,8 @@ std::string growth_table(const std::vector<KernelCount>& counts) {
   for (const KernelCount& row : counts) {
     if (row.kernel->known_scans == 0) continue;
     text += "| `" + row.kernel->name + "` | " + number(row.kernel->known_scans);
-    for (const double value : {row.count.per_operation(), row.count.quantile(0.5),
-                               row.count.quantile(0.99), row.count.runs.back()})
+    for (const double value : {row.count.per_operation(), quantile_of_sorted(row.count.runs, 0.5),
+                               quantile_of_sorted(row.count.runs, 0.99), row.count.runs.back()})
       text += " | " + number(value);
     text += " |\n";
   }

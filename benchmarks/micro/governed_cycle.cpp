@@ -20,7 +20,8 @@ TrialSpec governed_trial() {
   spec.regulator = find_regulator(spec.regulator_name);
   spec.planner = {"VoronoiRoadmap", "VoronoiRoadmap", {}};
   spec.flight.range_finder.rays = 91;
-  spec.flight.navigation.governor = spec.flight.navigation.look_around = spec.flight.navigation.recovery = true;
+  spec.flight.navigation.governor = spec.flight.navigation.look_around =
+      spec.flight.navigation.recovery = true;
   spec.flight.navigation.yaw_policy = YawReference::path;
   spec.shortest_length_m = 15;
   return spec;

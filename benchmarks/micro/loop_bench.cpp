@@ -59,7 +59,6 @@ BENCHMARK(closed_loop)->Arg(91)->Arg(181)->Unit(benchmark::kMillisecond);
 
 // The quadrotor's model and its regulator, turn and turn about, to a target 3 m away and back.
 void vehicle_step(benchmark::State& state) {
-  constexpr double kPeriod_s = 0.01;
   const VehicleSpec spec = find_vehicle("quadrotor");
   const std::unique_ptr<Model> model = make_model(spec.model);
   const auto law = make_regulator(find_regulator(spec.regulator), spec, kPeriod_s);

@@ -15,8 +15,8 @@
 #include "voronaut/benchmarks/results/mapped_logs.h"
 #include "voronaut/environments/random.h"
 #include "voronaut/environments/sensing/carmen_log.h"
-#include "voronaut/planners/mapping/points/convex_polygon.h"
 #include "voronaut/planners/mapping/obstacle_base.h"
+#include "voronaut/planners/mapping/points/convex_polygon.h"
 #ifdef VORONAUT_WITH_NANOFLANN
 #include "voronaut/benchmarks/micro/peers/nanoflann_map.h"
 #endif
@@ -142,34 +142,6 @@ void register_merging(const std::string& name, double density_per_m2, double mer
 
 Bounds forest_bounds() { return {{-6, -13}, {211, 13}}; }
 
-void register_maps() {
-  const ObstacleBaseConfig config;
-  register_on_forest("voronaut", [=] { return OwnMap(config); });
-  register_on_forest("naive_full_search",
-                     [=] { return NaiveMap(config.thinning_distance_m, config.link_distance_m); });
-  register_on_forest("grid_0.1m_hits", [] { return OccupancyGrid(forest_bounds(), 0.1, false); });
-  register_on_forest("grid_0.1m_full", [] { return OccupancyGrid(forest_bounds(), 0.1, true); });
-#ifdef VORONAUT_WITH_NANOFLANN
-  register_on_forest("nanoflann_single_scan",
-                     [=] { return NanoflannClustering(config.link_distance_m); });
-#endif
-#ifdef VORONAUT_WITH_PCL
-  register_on_forest("pcl_single_scan", [=] { return PclClustering(config.link_distance_m); });
-#endif
-#ifdef VORONAUT_WITH_OCTOMAP
-  register_on_forest("octomap_0.1m_hits", [] { return OctomapMap(false); });
-  register_on_forest("octomap_0.1m_full", [] { return OctomapMap(true); });
-#endif
-  register_touching("voronaut",
-                    [](const auto& a, const auto& b) { return convex_polygons_touch(a, b); });
-  register_touching("boost_geometry", boost_intersects);
-  register_merging("forest", 0.1, config.merge_distance_m);
-  register_merging("dense_forest_wide_vehicle", 0.2, 2);
-  register_growth("voronaut", {1'000, 3'000, 10'000, 100'000}, [=] { return OwnMap(config); });
-  register_growth("naive_full_search", {1'000, 3'000, 10'000},
-                  [=] { return NaiveMap(config.thinning_distance_m, config.link_distance_m); });
-}
-
 // Pairs of hulls whose boxes touch, as they come to the exact test.
 std::vector<std::pair<std::vector<Vec2>, std::vector<Vec2>>> hull_pairs(std::size_t corners) {
   Random random(6);
@@ -207,6 +179,34 @@ void register_touching(const std::string& name, const Touch& touch) {
       ->Arg(4)
       ->Arg(32)
       ->Unit(benchmark::kNanosecond);
+}
+
+void register_maps() {
+  const ObstacleBaseConfig config;
+  register_on_forest("voronaut", [=] { return OwnMap(config); });
+  register_on_forest("naive_full_search",
+                     [=] { return NaiveMap(config.thinning_distance_m, config.link_distance_m); });
+  register_on_forest("grid_0.1m_hits", [] { return OccupancyGrid(forest_bounds(), 0.1, false); });
+  register_on_forest("grid_0.1m_full", [] { return OccupancyGrid(forest_bounds(), 0.1, true); });
+#ifdef VORONAUT_WITH_NANOFLANN
+  register_on_forest("nanoflann_single_scan",
+                     [=] { return NanoflannClustering(config.link_distance_m); });
+#endif
+#ifdef VORONAUT_WITH_PCL
+  register_on_forest("pcl_single_scan", [=] { return PclClustering(config.link_distance_m); });
+#endif
+#ifdef VORONAUT_WITH_OCTOMAP
+  register_on_forest("octomap_0.1m_hits", [] { return OctomapMap(false); });
+  register_on_forest("octomap_0.1m_full", [] { return OctomapMap(true); });
+#endif
+  register_touching("voronaut",
+                    [](const auto& a, const auto& b) { return convex_polygons_touch(a, b); });
+  register_touching("boost_geometry", boost_intersects);
+  register_merging("forest", 0.1, config.merge_distance_m);
+  register_merging("dense_forest_wide_vehicle", 0.2, 2);
+  register_growth("voronaut", {1'000, 3'000, 10'000, 100'000}, [=] { return OwnMap(config); });
+  register_growth("naive_full_search", {1'000, 3'000, 10'000},
+                  [=] { return NaiveMap(config.thinning_distance_m, config.link_distance_m); });
 }
 
 void register_lidar(const std::string& data) {

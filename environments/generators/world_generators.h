@@ -45,7 +45,7 @@ class WorldGenerator {
   const ConfigEntries& entries() const { return entries_; }
 
   // The same world for the same seed, everywhere. Draws until one is admitted; throws ConfigError
-  // after draws_max.
+  // after draws_max, or after the first 25 if none of them could be placed.
   GeneratedWorld generate(std::uint64_t seed) const;
 
   // For a problem with what it generates: names the place where it was read, else the family.

@@ -10,7 +10,8 @@ namespace voronaut {
 // Reads one entry of a list of scenarios, or the root of a scenario file. It is one of
 //   file: other.yaml            a scenario file, beside the file that names it
 //   world: {circles: [[x, y, r], ..], boxes: [[xmin, ymin, xmax, ymax], ..],
-//           polygons: [[[x, y], ..], ..], segments: [[[x, y], [x, y]], ..]}
+//           polygons: [[[x, y], ..], ..], segments: [[[x, y], [x, y]], ..],
+//           wkt: "POLYGON((..))"}, or a list of such texts (formats/wkt.h)
 //   world_file: arena.map       a foreign file (formats/foreign_formats.h), beside the file that
 //                               names it; `format` where the file does not tell; `bounds`, `start`
 //                               and `goal` where it has none or others are wanted, or
