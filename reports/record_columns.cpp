@@ -11,7 +11,7 @@ namespace voronaut {
 
 namespace {
 
-using enum Rows;
+using enum TrialSet;
 using R = RunRecord;
 constexpr ColumnKind exact = ColumnKind::deterministic;
 constexpr ColumnKind measured = ColumnKind::measured;
@@ -69,13 +69,13 @@ const RecordColumn kColumns[] = {
 
 }  // namespace
 
-std::string_view words(Rows rows) {
-  switch (rows) {
-    case Rows::all:
+std::string_view words(TrialSet trials) {
+  switch (trials) {
+    case TrialSet::all:
       return "all trials";
-    case Rows::moved:
+    case TrialSet::moved:
       return "trials that moved";
-    case Rows::goal_reached:
+    case TrialSet::goal_reached:
       break;
   }
   return "trials that reached the goal";

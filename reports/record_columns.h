@@ -17,13 +17,13 @@ enum class ColumnKind {
 };
 
 // The trials that a column or a statistic is over.
-enum class Rows {
+enum class TrialSet {
   all,
   moved,         // those that came to have the value: one that never started has none
   goal_reached,  // those of them that reached the goal
 };
 
-std::string_view words(Rows rows);
+std::string_view words(TrialSet trials);
 
 using RecordMember = std::variant<std::string RunRecord::*, std::int64_t RunRecord::*,
                                   double RunRecord::*, Outcome RunRecord::*>;
@@ -32,7 +32,7 @@ struct RecordColumn {
   std::string_view name;
   RecordMember member;
   ColumnKind kind;
-  Rows rows;
+  TrialSet trials;
   std::string_view unit;   // as it is written to people; empty for a text, a count or a ratio
   std::string_view about;  // part of a sentence: a heading or a tooltip
 };

@@ -70,11 +70,11 @@ void examine_bound(const AcceptanceBound& bound, double limit, const Trials& tri
           number_text(is_rate ? std::round(1e8 * limit) / 1e6 : limit) + unit;
   const bool holds = bound.is_min ? found.value >= limit : found.value <= limit;
   if (found.n == 0)
-    examination.add(text, "over none of the " + std::string(words(statistic.rows)), false);
+    examination.add(text, "over none of the " + std::string(words(statistic.trials)), false);
   else if (is_rate)
     examination.add(text, std::to_string(found.successes) + " of " + std::to_string(found.n),
                     holds);
-  else if (statistic.rows == Rows::goal_reached)
+  else if (statistic.trials == TrialSet::goal_reached)
     examination.add_over_arrivals(text, fixed(found.value, statistic.digits) + unit, holds,
                                   found.n);
   else

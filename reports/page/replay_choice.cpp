@@ -13,7 +13,6 @@ namespace voronaut {
 
 namespace {
 
-using Trials = std::vector<const RunRecord*>;
 // Trials that can be drawn into one picture: one vehicle in one true world.
 using SceneKey = std::tuple<std::string, std::string, std::string, std::string>;
 // What a reader asks about: one planner in one scenario, with one vehicle.

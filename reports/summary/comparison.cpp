@@ -30,7 +30,7 @@ double relative_change(double before, double now) {
 
 // NaN, which the estimates leave out, where one of the two has no value.
 double change_of(const Statistic& statistic, const Pair& pair) {
-  if (statistic.rows == Rows::goal_reached && !(reached(*pair.before) && reached(*pair.now)))
+  if (statistic.trials == TrialSet::goal_reached && !(reached(*pair.before) && reached(*pair.now)))
     return kAbsent;
   const double before = value_of(statistic, *pair.before);
   const double now = value_of(statistic, *pair.now);

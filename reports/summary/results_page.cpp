@@ -30,7 +30,7 @@ std::string columns() {
   TextTable table = table_of({"column", "unit", "what it is", "over", "measured"});
   for (const RecordColumn& column : record_columns())
     table.rows.push_back({std::string(column.name), or_dash(column.unit), std::string(column.about),
-                          std::string(words(column.rows)),
+                          std::string(words(column.trials)),
                           column.kind == ColumnKind::measured ? "yes" : "no"});
   return table.markdown();
 }

@@ -24,7 +24,7 @@ std::string interval(const Statistic& statistic, const Estimate& estimate) {
 
 std::string over(const Statistic& statistic, const Estimate& estimate,
                  const OutcomeCounts& counts) {
-  const std::int64_t expected = statistic.rows == Rows::goal_reached
+  const std::int64_t expected = statistic.trials == TrialSet::goal_reached
                                     ? counts.front()
                                     : std::accumulate(counts.begin(), counts.end(), std::int64_t{});
   return estimate.n == expected ? "" : " over " + std::to_string(estimate.n);

@@ -10,7 +10,7 @@ namespace voronaut {
 
 namespace {
 
-using enum Rows;
+using enum TrialSet;
 using enum Estimator;
 using enum Better;
 using R = RunRecord;
@@ -134,7 +134,7 @@ std::string description_of(const Statistic& statistic) {
   const RecordColumn* column = column_of(statistic);
   const std::string_view about = column != nullptr ? column->about : statistic.about;
   std::string text(estimator_words(statistic));
-  text.append(" over ").append(words(statistic.rows)).append(": ").append(about);
+  text.append(" over ").append(words(statistic.trials)).append(": ").append(about);
   if (column != nullptr && column->kind == ColumnKind::measured) text += "; measured";
   return text;
 }
@@ -155,7 +155,7 @@ Estimate estimate_of(const Statistic& statistic, const Trials& trials,
                      const BootstrapConfig& bootstrap) {
   std::vector<double> values;
   for (const RunRecord* trial : trials)
-    if (statistic.rows != goal_reached || trial->outcome == Outcome::goal_reached)
+    if (statistic.trials != goal_reached || trial->outcome == Outcome::goal_reached)
       values.push_back(value_of(statistic, *trial));
   switch (statistic.estimator) {
     case rate:

@@ -35,7 +35,7 @@ using StatisticValue =
 
 struct Statistic {
   std::string_view name;  // key in JSON, CSV and, with _min or _max, of an acceptance criterion
-  Rows rows;
+  TrialSet trials;
   Estimator estimator;
   StatisticValue value;
   Better better;

@@ -43,7 +43,7 @@ json statistic_to_json(const Statistic& s) {
           {"rate", s.estimator == Estimator::rate},
           {"better", name_of(s.better)},
           {"digits", s.digits},
-          {"of_reached", s.rows == Rows::goal_reached},
+          {"of_reached", s.trials == TrialSet::goal_reached},
           {"question", s.question},
           {"logarithmic", s.axis == Axis::logarithmic},
           {"in_table", (s.shown & kPage) != 0},

@@ -30,14 +30,14 @@ std::vector<const Statistic*> shown_of(const Summary& summary) {
 // "all trials: goal reached, SPL; trials that moved: clearance".
 std::string trials_of(const std::vector<const Statistic*>& shown) {
   std::string text;
-  for (const Rows rows : {Rows::all, Rows::moved, Rows::goal_reached}) {
+  for (const TrialSet trials : {TrialSet::all, TrialSet::moved, TrialSet::goal_reached}) {
     std::vector<std::string_view> labels;
     for (const Statistic* one : shown)
-      if (one->rows == rows && (labels.empty() || labels.back() != one->label))
+      if (one->trials == trials && (labels.empty() || labels.back() != one->label))
         labels.push_back(one->label);
     for (const std::string_view label : labels) {
       if (label == labels.front())
-        text.append(text.empty() ? "" : "; ").append(words(rows)).append(": ");
+        text.append(text.empty() ? "" : "; ").append(words(trials)).append(": ");
       text.append(label == labels.front() ? "" : ", ").append(label);
     }
   }

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <fstream>
+#include <set>
 
 #include <gmock/gmock.h>
 
@@ -118,6 +119,25 @@ TEST_F(ReportPages, AHeadingSortsItsColumn) {
                          ".split(',').map(Number);"
                          " return v.every((x, i) => i === 0 || isNaN(x) || v[i - 1] <= x); })()");
   EXPECT_EQ(sorted, "true") << session_->evaluate(values);
+}
+
+TEST_F(ReportPages, AnOutcomeHasTheSignTheWordsAndTheColourOfTheTable) {
+  const auto run = synthetic::make_run();
+  std::set<Outcome> failures;
+  for (const RunRecord& record : run.records)
+    if (entry_of(record.outcome).failure) failures.insert(record.outcome);
+  ASSERT_GE(failures.size(), 2U);
+  open(write_page("outcomes.html", report_input_of(run, "Outcomes")), "#failures");
+  for (const Outcome outcome : failures) {
+    const OutcomeEntry& entry = entry_of(outcome);
+    const std::string shown = std::string(entry.sign) + " " + std::string(entry.words);
+    EXPECT_EQ(
+        session_->evaluate("[...document.querySelectorAll('#page-failures td .outcome')].find("
+                           "e => e.textContent === '" +
+                           shown + "').style.getPropertyValue('--on-light')"),
+        entry.colour)
+        << entry.name;
+  }
 }
 
 TEST_F(ReportPages, SurvivesHostileNames) {
