@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 #include <ompl/base/ScopedState.h>
+#include <ompl/geometric/PathGeometric.h>
 
 #include "voronaut/planners/navigation/plan_request.h"
 #include "voronaut/planners/problem/planar_state.h"
@@ -38,9 +39,9 @@ class Told : public ob::Planner {
 };
 
 // From (1, 1) to (9, 9), a known point in the middle.
-class SolutionPath : public ::testing::Test {
+class SolutionPathAsked : public ::testing::Test {
  protected:
-  SolutionPath() { problem_.update(base_->snapshot(), {1, 1}); }
+  SolutionPathAsked() { problem_.update(base_->snapshot(), {1, 1}); }
 
   PlanStatus asked(Status::StatusType status, const std::vector<Vec2>& points,
                    bool reactive = false) {
@@ -57,7 +58,7 @@ class SolutionPath : public ::testing::Test {
   std::shared_ptr<Told> planner_ = std::make_shared<Told>(problem_.space_information());
 };
 
-TEST_F(SolutionPath, IsAnExactOneOrAnApproximateOneThatReachesTheGoal) {
+TEST_F(SolutionPathAsked, IsAnExactOneOrAnApproximateOneThatReachesTheGoal) {
   EXPECT_EQ(asked(Status::EXACT_SOLUTION, {{1, 1}, {1, 9}, {9, 9}}), PlanStatus::to_goal);
   EXPECT_EQ(asked(Status::APPROXIMATE_SOLUTION, {{1, 1}, {1, 9}, {9, 9}}), PlanStatus::to_goal);
   EXPECT_EQ(asked(Status::APPROXIMATE_SOLUTION, {{1, 1}, {1, 9}, {8.9, 9}}), PlanStatus::to_goal)
@@ -68,11 +69,11 @@ TEST_F(SolutionPath, IsAnExactOneOrAnApproximateOneThatReachesTheGoal) {
   EXPECT_EQ(asked(Status::TIMEOUT, {{1, 1}, {1, 9}, {9, 9}}), PlanStatus::none);
 }
 
-TEST_F(SolutionPath, OfAReactivePlannerIsItsNextLeg) {
+TEST_F(SolutionPathAsked, OfAReactivePlannerIsItsNextLeg) {
   EXPECT_EQ(asked(Status::APPROXIMATE_SOLUTION, {{1, 1}, {1, 9}}, true), PlanStatus::partial);
 }
 
-TEST_F(SolutionPath, ThatIsClaimedButNotThereIsThePlannersFault) {
+TEST_F(SolutionPathAsked, ThatIsClaimedButNotThereIsThePlannersFault) {
   EXPECT_THROW(asked(Status::EXACT_SOLUTION, {}), std::runtime_error);
   EXPECT_THROW(asked(Status::APPROXIMATE_SOLUTION, {}, true), std::runtime_error);
 }
