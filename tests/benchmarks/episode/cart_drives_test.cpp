@@ -76,7 +76,7 @@ TEST(CartDrive, BacksOffByTurningRoundAndDrivingAway) {
   EXPECT_TRUE(std::ranges::any_of(log.scans, [](const ScanEvent& event) {
     return event.executive == ExecutiveState::backing_off;
   }));
-  EXPECT_GT(clearance_min_m(log.ticks), 0.28) << "it turns on the spot before it drives";
+  EXPECT_GT(clearance_smallest_m(log.ticks), 0.28) << "it turns on the spot before it drives";
   EXPECT_GT(log.ticks.back().clearance_m, 0.4);
 }
 
