@@ -117,7 +117,7 @@ TEST_F(EveryPlanner, HasReachedAGoalThatItStartsAt) {
 
 TEST_F(EveryPlanner, OfManyThreadsStopsAtItsFirstSolutionInAStaticTrialToo) {
   const Rows rows = fly_suite(
-      "suite: first\nkind: known\ntraces: none\nscenarios:\n"
+      "suite: first\nkind: static\ntraces: none\nscenarios:\n"
       "  - {name: wall, world: {boxes: [[3, -4, 3.2, 2]]}, bounds: [[-1, -4], [8, 4]],"
       " start: [0, 0], goal: [7, 0]}\n"
       "vehicles: [ideal]\nplanners: [CForest, AnytimePathShortening, PRMstar]\n"

@@ -133,7 +133,7 @@ TEST_F(Plugin, AClaimThatIsNotTrueIsNoSuccessInAStaticTrial) {
 // A pillar stands on the straight way.
 TEST_F(Plugin, APathIsJudgedByAProblemThatNoPlannerSawAndNotByWhatIsKept) {
   const std::string suite =
-      "kind: known\nplanners: [NoNumberFirst, NoNumberOnTheWay, NoNumberInOneAxis, NoNumberLast, "
+      "kind: static\nplanners: [NoNumberFirst, NoNumberOnTheWay, NoNumberInOneAxis, NoNumberLast, "
       "InfiniteOnTheWay, FarAway, OutOfBounds, Straight, StraightIfAllowed, GoalIsEverywhere, "
       "GoalIsStart, GoalIsAnother, StartIsGoal]\n"
       "scenarios: [{name: pillar, world: {circles: [[1, 0.5, 0.2]]}, "
