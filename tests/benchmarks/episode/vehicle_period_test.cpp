@@ -16,7 +16,7 @@ TrialSpec in_the_open(const std::string& vehicle_name, double vehicle_period_s) 
   spec.scenario.name = "open";
   spec.scenario.world = std::make_shared<World>(Bounds{Vec2(-4, -4), Vec2(12, 4)}, Shapes{});
   spec.scenario.goal_world = Vec2(8, 0);
-  spec.vehicle = vehicle(vehicle_name);
+  spec.vehicle = find_vehicle(vehicle_name);
   if (vehicle_name == "cart") spec.scenario.cruise_height_m = 0;
   spec.regulator_name = spec.vehicle.regulator;
   spec.regulator = find_regulator(spec.regulator_name);
