@@ -97,21 +97,24 @@ function(voronaut_library name)
   set_property(GLOBAL APPEND PROPERTY VORONAUT_LIBRARIES voronaut_${name})
 endfunction()
 
-# voronaut_test(<folder> SOURCES ... LIBRARIES ...): one GoogleTest program per folder of tests/.
+# voronaut_test(<folder> SOURCES ... LIBRARIES ... [PRECOMPILED <set>]): one GoogleTest program per
+# folder of tests/. The set planner_test is for those that link OMPL.
 function(voronaut_test name)
-  cmake_parse_arguments(ARG "" "" "SOURCES;LIBRARIES" ${ARGN})
+  cmake_parse_arguments(ARG "" "PRECOMPILED" "SOURCES;LIBRARIES" ${ARGN})
   add_executable(${name}_tests ${ARG_SOURCES})
   set_target_properties(${name}_tests PROPERTIES CXX_EXTENSIONS OFF)
   target_link_libraries(${name}_tests PRIVATE
     ${ARG_LIBRARIES} voronaut_determinism voronaut_build_options Eigen3::Eigen GTest::gmock_main)
   if(NOT TARGET voronaut_precompiled_test)
-    voronaut_precompiled_set(test
-      HEADERS <ompl/base/Planner.h> <gmock/gmock.h> <gtest/gtest.h>
+    set(gtest <gmock/gmock.h> <gtest/gtest.h>)
+    voronaut_precompiled_set(test HEADERS ${gtest} LIBRARIES GTest::gmock_main)
+    voronaut_precompiled_set(planner_test HEADERS <ompl/base/Planner.h> ${gtest}
       LIBRARIES voronaut_ompl GTest::gmock_main)
   endif()
-  voronaut_precompile(${name}_tests test)
-  # Boost's package defines it for those that link OMPL; precompiled headers hold for all or none.
-  target_compile_definitions(${name}_tests PRIVATE BOOST_ALL_NO_LIB)
+  if(NOT ARG_PRECOMPILED)
+    set(ARG_PRECOMPILED test)
+  endif()
+  voronaut_precompile(${name}_tests ${ARG_PRECOMPILED})
   target_compile_definitions(${name}_tests PRIVATE
     VORONAUT_SOURCE_DIR="${PROJECT_SOURCE_DIR}" VORONAUT_BINARY_DIR="${PROJECT_BINARY_DIR}")
   gtest_discover_tests(${name}_tests TEST_PREFIX "${name}." DISCOVERY_TIMEOUT 60)
