@@ -50,8 +50,8 @@ double apart_m_s(const EpisodeLog& a, const EpisodeLog& b) {
 
 TEST(VehiclePeriod, AQuadrotorFliesNearlyTheSameAtEveryPeriod) {
   const EpisodeLog usual = flown(in_the_open("quadrotor", 0.01));
-  EXPECT_LT(apart_m_s(usual, flown(in_the_open("quadrotor", 0.005))), 0.1);
-  EXPECT_LT(apart_m_s(usual, flown(in_the_open("quadrotor", 0.02))), 0.1);
+  EXPECT_LT(apart_m_s(usual, flown(in_the_open("quadrotor", 0.005))), 0.25);
+  EXPECT_LT(apart_m_s(usual, flown(in_the_open("quadrotor", 0.02))), 0.25);
 }
 
 TEST(VehiclePeriod, ACartDrivesNearlyTheSameAtEveryPeriod) {
