@@ -1,6 +1,6 @@
 #include "voronaut/environments/shortest_path/tangent_graph.h"
 
-#include "voronaut/environments/shortest_path/rim_sight.h"
+#include "voronaut/environments/shortest_path/arc_visibility.h"
 
 namespace voronaut {
 
@@ -11,10 +11,10 @@ TangentGraph::TangentGraph(const World& world, const Vec2& start, const Vec2& go
       goal_point_(goal),
       tolerance_(tolerance),
       reach_m_(radius_m * (1 - tolerance)),
-      rims_(world, radius_m, tolerance),
-      start_rim_(rim(rims_.arcs_of(rims_.add_point(start)).begin, 1)),
-      goal_disc_(rims_.add_point(goal)),
-      goal_rim_(rim(rims_.arcs_of(goal_disc_).begin, 1)) {}
+      boundary_(world, radius_m, tolerance),
+      start_rim_(rim(boundary_.arcs_of(boundary_.add_point(start)).begin, 1)),
+      goal_disc_(boundary_.add_point(goal)),
+      goal_rim_(rim(boundary_.arcs_of(goal_disc_).begin, 1)) {}
 
 bool TangentGraph::restrict_to(double limit_m) {
   limit_m_ = limit_m;
@@ -23,17 +23,17 @@ bool TangentGraph::restrict_to(double limit_m) {
   std::uint32_t within = 0;
   const std::uint32_t obstacles = goal_disc_ - 1;  // start and goal come last
   for (std::uint32_t i = 0; i < obstacles; ++i) {
-    const Disc& disc = rims_.discs()[i];
+    const Disc& disc = boundary_.discs()[i];
     const double detour_m =
         (disc.center - start_point_).norm() + (disc.center - goal_point_).norm();
     if (detour_m - 2 * disc.radius_m > limit_m) continue;
     ++within;
-    const TangentRims::ArcRange arcs = rims_.arcs_of(i);
+    const InflatedBoundary::ArcRange arcs = boundary_.arcs_of(i);
     if (arcs.begin != arcs.end) admitted_.push_back(i);
   }
   admitted_.push_back(goal_disc_);
-  ways_.assign(2 * rims_.arc_count(), {});
-  found_.assign(2 * rims_.arc_count(), false);
+  ways_.assign(2 * boundary_.arc_count(), {});
+  found_.assign(2 * boundary_.arc_count(), false);
   return within == obstacles;
 }
 
@@ -46,11 +46,11 @@ std::vector<TangentGraph::Way>& TangentGraph::ways_from(Rim rim) {
 }
 
 void TangentGraph::find_ways(Rim from) {
-  const FreeArc& arc = rims_.arc(from / 2);
+  const FreeArc& arc = boundary_.arc(from / 2);
   const Disc& here = disc(from);
-  const RimSight sight(world_.index(), here, arc, turn(from), reach_m_, limit_m_);
+  const ArcVisibility sight(world_.index(), here, arc, turn(from), reach_m_, limit_m_);
   for (const std::uint32_t target : admitted_) {
-    const Disc& there = rims_.discs()[target];
+    const Disc& there = boundary_.discs()[target];
     if (target == arc.disc || !sight.may_reach(there)) continue;
     for (const int target_turn : {1, -1}) {
       if (target == goal_disc_ && target_turn < 0) continue;
@@ -67,10 +67,10 @@ void TangentGraph::find_ways(Rim from) {
 
 void TangentGraph::add_ways(Way way, std::uint32_t target, int target_turn,
                             std::vector<Way>& ways) {
-  const TangentRims::ArcRange arcs = rims_.arcs_of(target);
+  const InflatedBoundary::ArcRange arcs = boundary_.arcs_of(target);
   const double arrive = quarter_turns(way.tangent.arrive);
   for (std::uint32_t i = arcs.begin; i < arcs.end; ++i) {
-    way.arrive_position = rims_.arc(i).position(arrive);
+    way.arrive_position = boundary_.arc(i).position(arrive);
     if (way.arrive_position < 0) continue;
     way.to = rim(i, target_turn);
     ways.push_back(way);
@@ -87,7 +87,7 @@ bool TangentGraph::is_clear(Rim from, Way& way) const {
 }
 
 bool TangentGraph::leads_on(Rim rim, double from_position, double to_position) const {
-  if (rims_.arc(rim / 2).whole()) return true;
+  if (boundary_.arc(rim / 2).whole()) return true;
   return turn(rim) > 0 ? to_position >= from_position - kSameDirection
                        : to_position <= from_position + kSameDirection;
 }

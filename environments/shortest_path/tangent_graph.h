@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "voronaut/environments/shortest_path/common_tangent.h"
-#include "voronaut/environments/shortest_path/tangent_rims.h"
+#include "voronaut/environments/shortest_path/inflated_boundary.h"
 
 namespace voronaut {
 
@@ -13,7 +13,7 @@ namespace voronaut {
 // the other. Tangents are found when they are asked for, and tested when they are to be used.
 class TangentGraph {
  public:
-  // A free arc (rim / 2 is its index in TangentRims) travelled clockwise (even) or
+  // A free arc (rim / 2 is its index in InflatedBoundary) travelled clockwise (even) or
   // counter-clockwise.
   using Rim = std::uint32_t;
 
@@ -35,7 +35,7 @@ class TangentGraph {
   Rim start() const { return start_rim_; }
   Rim goal() const { return goal_rim_; }
   std::size_t rim_count() const { return ways_.size(); }
-  const Disc& disc(Rim rim) const { return rims_.discs()[rims_.arc(rim / 2).disc]; }
+  const Disc& disc(Rim rim) const { return boundary_.discs()[boundary_.arc(rim / 2).disc]; }
   static int turn(Rim rim) { return rim % 2 == 1 ? 1 : -1; }
   Vec2 arrival_point(const Way& way) const {
     return disc(way.to).center + disc(way.to).radius_m * way.tangent.arrive;
@@ -58,7 +58,7 @@ class TangentGraph {
   Vec2 goal_point_;
   double tolerance_;
   double reach_m_;
-  TangentRims rims_;
+  InflatedBoundary boundary_;
   Rim start_rim_;
   std::uint32_t goal_disc_;
   Rim goal_rim_;

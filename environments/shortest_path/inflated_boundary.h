@@ -25,9 +25,9 @@ struct FreeArc {
 // Discs around circles (their radius grown), corners and wall ends (the radius alone), and the free
 // arcs of their rims, exact up to `tolerance` x radius: no obstacle is closer to the centre of the
 // vehicle, and it is within the bounds.
-class TangentRims {
+class InflatedBoundary {
  public:
-  TangentRims(const World& world, double radius_m, double tolerance);
+  InflatedBoundary(const World& world, double radius_m, double tolerance);
 
   std::span<const Disc> discs() const { return discs_; }
   const FreeArc& arc(std::uint32_t index) const { return arcs_[index]; }

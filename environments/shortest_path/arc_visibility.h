@@ -2,19 +2,19 @@
 
 #include <array>
 
-#include "voronaut/environments/shortest_path/tangent_rims.h"
+#include "voronaut/environments/shortest_path/inflated_boundary.h"
 
 namespace voronaut {
 
 // How far a disc sees along the tangents that leave a free arc, by sectors of their direction. What
 // lies behind an obstacle that shuts a whole sector needs no tangent of its own. A bound from
 // above: never says that something in sight is not.
-class RimSight {
+class ArcVisibility {
  public:
   // Tangents of an arc of `disc`, travelled counter-clockwise (turn +1) or clockwise (-1), by a
   // vehicle of radius_m, up to limit_m long. O(cells that the sectors' axes pass).
-  RimSight(const ShapeIndex& shapes, const Disc& disc, const FreeArc& arc, int turn,
-           double radius_m, double limit_m);
+  ArcVisibility(const ShapeIndex& shapes, const Disc& disc, const FreeArc& arc, int turn,
+                double radius_m, double limit_m);
 
   // Whether any tangent to the disc may be clear: cheap and coarse.
   bool may_reach(const Disc& target) const;

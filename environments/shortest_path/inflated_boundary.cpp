@@ -1,4 +1,4 @@
-#include "voronaut/environments/shortest_path/tangent_rims.h"
+#include "voronaut/environments/shortest_path/inflated_boundary.h"
 
 #include <cmath>
 #include <tuple>
@@ -82,7 +82,7 @@ double FreeArc::position(double quarters) const {
   return ahead >= 4 - kDirectionTolerance ? 0 : -1;
 }
 
-TangentRims::TangentRims(const World& world, double radius_m, double tolerance)
+InflatedBoundary::InflatedBoundary(const World& world, double radius_m, double tolerance)
     : world_(world),
       radius_m_(radius_m),
       reach_m_(radius_m * (1 - tolerance)),
@@ -109,7 +109,7 @@ TangentRims::TangentRims(const World& world, double radius_m, double tolerance)
   arcs_of_.assign(discs_.size(), {1, 0});
 }
 
-std::uint32_t TangentRims::add_point(const Vec2& p) {
+std::uint32_t InflatedBoundary::add_point(const Vec2& p) {
   const auto disc = static_cast<std::uint32_t>(discs_.size());
   const auto first = static_cast<std::uint32_t>(arcs_.size());
   discs_.push_back({p, 0});
@@ -118,19 +118,19 @@ std::uint32_t TangentRims::add_point(const Vec2& p) {
   return disc;
 }
 
-TangentRims::ArcRange TangentRims::arcs_of(std::uint32_t disc) {
+InflatedBoundary::ArcRange InflatedBoundary::arcs_of(std::uint32_t disc) {
   if (arcs_of_[disc].begin > arcs_of_[disc].end) arcs_of_[disc] = find_arcs(disc);
   return arcs_of_[disc];
 }
 
-bool TangentRims::is_free(const Disc& disc, const Vec2& direction) const {
+bool InflatedBoundary::is_free(const Disc& disc, const Vec2& direction) const {
   const Vec2 p = disc.center + disc.radius_m * direction;
   return world_.bounds().contains(p) && world_.index().clearance_m(p, radius_m_) >= reach_m_;
 }
 
 // Where the rim may change between free and blocked, in order, and the edges that end in its
 // centre.
-std::vector<double> TangentRims::crossings_of(const Disc& disc) const {
+std::vector<double> InflatedBoundary::crossings_of(const Disc& disc) const {
   std::vector<double> quarters;
   Crossings crossings(disc, quarters);
   const ShapeIndex& shapes = world_.index();
@@ -156,7 +156,7 @@ std::vector<double> TangentRims::crossings_of(const Disc& disc) const {
   return quarters;
 }
 
-TangentRims::ArcRange TangentRims::find_arcs(std::uint32_t index) {
+InflatedBoundary::ArcRange InflatedBoundary::find_arcs(std::uint32_t index) {
   const Disc disc = discs_[index];
   std::vector<double> quarters = crossings_of(disc);
   if (quarters.empty()) quarters.push_back(0);

@@ -1,4 +1,4 @@
-#include "voronaut/environments/shortest_path/rim_sight.h"
+#include "voronaut/environments/shortest_path/arc_visibility.h"
 
 #include <cmath>
 
@@ -16,8 +16,8 @@ constexpr double kSlant = 1.01;
 
 }  // namespace
 
-RimSight::RimSight(const ShapeIndex& shapes, const Disc& disc, const FreeArc& arc, int turn,
-                   double radius_m, double limit_m)
+ArcVisibility::ArcVisibility(const ShapeIndex& shapes, const Disc& disc, const FreeArc& arc,
+                             int turn, double radius_m, double limit_m)
     : disc_(disc), turn_(turn) {
   constexpr double kHalf = 0.5 / kPerQuarter;
   for (int i = 0; i < kSectors; ++i) {
@@ -47,7 +47,7 @@ RimSight::RimSight(const ShapeIndex& shapes, const Disc& disc, const FreeArc& ar
   }
 }
 
-bool RimSight::may_reach(const Disc& target) const {
+bool ArcVisibility::may_reach(const Disc& target) const {
   const Vec2 between = target.center - disc_.center;
   const double distance_m = between.norm();
   const double radii_m = disc_.radius_m + target.radius_m;
@@ -57,7 +57,7 @@ bool RimSight::may_reach(const Disc& target) const {
   return around_m >= 0 && distance_m - radii_m <= kSlant * (around_m + disc_.radius_m);
 }
 
-bool RimSight::may_reach(double depart_quarters, const Vec2& arrival) const {
+bool ArcVisibility::may_reach(double depart_quarters, const Vec2& arrival) const {
   const Sector& sector = sectors_[sector_of(depart_quarters)];
   return sector.range_m >= 0 && sector.axis.dot(arrival - sector.apex) <= sector.range_m;
 }

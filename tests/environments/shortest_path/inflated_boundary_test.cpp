@@ -1,4 +1,4 @@
-#include "voronaut/environments/shortest_path/tangent_rims.h"
+#include "voronaut/environments/shortest_path/inflated_boundary.h"
 
 #include <cmath>
 #include <numbers>
@@ -13,11 +13,11 @@ namespace {
 constexpr double kTolerance = 1e-9;
 const Bounds kBounds{Vec2(-10, -10), Vec2(10, 10)};
 
-std::vector<FreeArc> arcs_around(const Vec2& center, TangentRims& rims) {
+std::vector<FreeArc> arcs_around(const Vec2& center, InflatedBoundary& rims) {
   std::vector<FreeArc> arcs;
   for (std::uint32_t i = 0; i < rims.discs().size(); ++i) {
     if (rims.discs()[i].center != center) continue;
-    const TangentRims::ArcRange range = rims.arcs_of(i);
+    const InflatedBoundary::ArcRange range = rims.arcs_of(i);
     for (std::uint32_t k = range.begin; k < range.end; ++k) arcs.push_back(rims.arc(k));
   }
   return arcs;
@@ -94,22 +94,22 @@ TEST(TurnedRad, IsTheAngleInTheSenseOfTheTurnAndItsBoundIsBelow) {
   }
 }
 
-TEST(TangentRims, RimOfALoneCircleIsWhole) {
+TEST(InflatedBoundary, RimOfALoneCircleIsWhole) {
   Shapes shapes;
   shapes.circles = {{Vec2(0, 0), 1}};
   const World world(kBounds, shapes);
-  TangentRims rims(world, 0.5, kTolerance);
+  InflatedBoundary rims(world, 0.5, kTolerance);
   const auto arcs = arcs_around(Vec2(0, 0), rims);
   ASSERT_EQ(arcs.size(), 1U);
   EXPECT_TRUE(arcs[0].whole());
   EXPECT_EQ(rims.discs()[0].radius_m, 1.5);
 }
 
-TEST(TangentRims, CornerOfABoxIsFreeBetweenTheNormalsOfItsSides) {
+TEST(InflatedBoundary, CornerOfABoxIsFreeBetweenTheNormalsOfItsSides) {
   Shapes shapes;
   shapes.polygons = {box(Vec2(0, 0), 4, 2)};
   const World world(kBounds, shapes);
-  TangentRims rims(world, 0.5, kTolerance);
+  InflatedBoundary rims(world, 0.5, kTolerance);
   EXPECT_EQ(rims.discs().size(), 4U);
   const auto arcs = arcs_around(Vec2(2, 1), rims);
   ASSERT_EQ(arcs.size(), 1U);
@@ -117,12 +117,12 @@ TEST(TangentRims, CornerOfABoxIsFreeBetweenTheNormalsOfItsSides) {
   EXPECT_NEAR(arcs[0].span_quarters, 1, 1e-12);
 }
 
-TEST(TangentRims, JointsAndInnerCornersHaveNoFreeArc) {
+TEST(InflatedBoundary, JointsAndInnerCornersHaveNoFreeArc) {
   Shapes shapes;
   shapes.polygons = {box(Bounds{Vec2(0, 0), Vec2(1, 1)}), box(Bounds{Vec2(1, 0), Vec2(2, 1)}),
                      box(Bounds{Vec2(0, 1), Vec2(1, 2)})};
   const World world(kBounds, shapes);
-  TangentRims rims(world, 0.3, kTolerance);
+  InflatedBoundary rims(world, 0.3, kTolerance);
   EXPECT_TRUE(arcs_around(Vec2(1, 0), rims).empty());
   EXPECT_TRUE(arcs_around(Vec2(1, 1), rims).empty());
   EXPECT_TRUE(arcs_around(Vec2(0, 1), rims).empty());
@@ -130,7 +130,7 @@ TEST(TangentRims, JointsAndInnerCornersHaveNoFreeArc) {
   EXPECT_EQ(arcs_around(Vec2(1, 2), rims).size(), 1U);
 }
 
-TEST(TangentRims, ArcsAreFreeWhereTheDiscFitsAndNowhereElse) {
+TEST(InflatedBoundary, ArcsAreFreeWhereTheDiscFitsAndNowhereElse) {
   int free_points = 0;
   int blocked_points = 0;
   for (std::uint64_t seed = 1; seed <= 60; ++seed) {
@@ -138,10 +138,10 @@ TEST(TangentRims, ArcsAreFreeWhereTheDiscFitsAndNowhereElse) {
     Random rng(seed);
     const double radius_m = rng.uniform(0.1, 0.6);
     const World world({Vec2(-3, -3), Vec2(3, 3)}, random_shapes(rng, 8, 3.5, 0.7));
-    TangentRims rims(world, radius_m, kTolerance);
+    InflatedBoundary rims(world, radius_m, kTolerance);
     for (std::uint32_t i = 0; i < rims.discs().size(); ++i) {
       const Disc disc = rims.discs()[i];
-      const TangentRims::ArcRange range = rims.arcs_of(i);
+      const InflatedBoundary::ArcRange range = rims.arcs_of(i);
       for (int k = 0; k < 50; ++k) {
         const Vec2 direction = random_direction(rng);
         bool on_arc = false;
