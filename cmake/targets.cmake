@@ -40,18 +40,50 @@ if(VORONAUT_COVERAGE)
   target_link_options(voronaut_build_options INTERFACE --coverage)
 endif()
 
-# What nearly every source reads, parsed once for each target instead of once for each source.
-set(voronaut_precompiled
+# What nearly every source reads, parsed once for all targets that are compiled alike:
+# voronaut_precompile(<target> <set>), the set made by voronaut_precompiled_set(<set> <headers>).
+set(voronaut_precompiled_of_all
   <algorithm> <array> <cmath> <cstdint> <filesystem> <functional> <fstream> <limits> <map> <memory>
-  <optional> <span> <sstream> <stdexcept> <string> <string_view> <utility> <vector>)
+  <optional> <span> <sstream> <stdexcept> <string> <string_view> <utility> <vector> <Eigen/Core>)
 
-function(voronaut_precompile target)
-  target_precompile_headers(${target} PRIVATE ${voronaut_precompiled} ${ARGN})
+function(voronaut_precompiled_set set)
+  cmake_parse_arguments(ARG "" "" "HEADERS;LIBRARIES" ${ARGN})
+  set(nothing "${PROJECT_BINARY_DIR}/precompiled/${set}.cpp")
+  if(NOT EXISTS "${nothing}")
+    file(WRITE "${nothing}" "// Compiled so that the headers are.\n")
+  endif()
+  add_library(voronaut_precompiled_${set} OBJECT "${nothing}")
+  set_target_properties(voronaut_precompiled_${set} PROPERTIES CXX_EXTENSIONS OFF)
+  target_link_libraries(voronaut_precompiled_${set} PRIVATE
+    voronaut_determinism voronaut_build_options Eigen3::Eigen ${ARG_LIBRARIES})
+  target_precompile_headers(voronaut_precompiled_${set} PRIVATE
+    ${voronaut_precompiled_of_all} ${ARG_HEADERS})
 endfunction()
 
-# voronaut_library(<folder> SOURCES ... PUBLIC <libs> PRIVATE <libs>) -> voronaut::<folder>
+function(voronaut_precompile target set)
+  target_precompile_headers(${target} REUSE_FROM voronaut_precompiled_${set})
+endfunction()
+
+voronaut_precompiled_set(library)
+voronaut_precompiled_set(planner HEADERS <ompl/base/Planner.h> LIBRARIES voronaut_ompl)
+set_target_properties(voronaut_precompiled_library voronaut_precompiled_planner PROPERTIES
+  POSITION_INDEPENDENT_CODE ON)
+voronaut_precompiled_set(program HEADERS <ompl/base/Planner.h> LIBRARIES voronaut_ompl)
+
+# voronaut_cold_sources(<sources>): read a command line or write a page, once. Optimising them would
+# cost the compiler more seconds than all their runs take.
+function(voronaut_cold_sources)
+  set_source_files_properties(${ARGN} PROPERTIES
+    COMPILE_OPTIONS "$<$<CONFIG:Release,RelWithDebInfo>:-O1>")
+endfunction()
+
+# voronaut_library(<folder> SOURCES ... PUBLIC <libs> PRIVATE <libs> [PRECOMPILED <set>])
+# -> voronaut::<folder>
 function(voronaut_library name)
-  cmake_parse_arguments(ARG "" "" "SOURCES;PUBLIC;PRIVATE;PRECOMPILED" ${ARGN})
+  cmake_parse_arguments(ARG "" "PRECOMPILED" "SOURCES;PUBLIC;PRIVATE" ${ARGN})
+  if(NOT ARG_PRECOMPILED)
+    set(ARG_PRECOMPILED library)
+  endif()
   add_library(voronaut_${name} STATIC ${ARG_SOURCES})
   add_library(voronaut::${name} ALIAS voronaut_${name})
   set_target_properties(voronaut_${name} PROPERTIES
@@ -72,7 +104,12 @@ function(voronaut_test name)
   set_target_properties(${name}_tests PROPERTIES CXX_EXTENSIONS OFF)
   target_link_libraries(${name}_tests PRIVATE
     ${ARG_LIBRARIES} voronaut_determinism voronaut_build_options Eigen3::Eigen GTest::gmock_main)
-  voronaut_precompile(${name}_tests <Eigen/Core> <gmock/gmock.h> <gtest/gtest.h>)
+  if(NOT TARGET voronaut_precompiled_test)
+    voronaut_precompiled_set(test
+      HEADERS <ompl/base/Planner.h> <gmock/gmock.h> <gtest/gtest.h>
+      LIBRARIES voronaut_ompl GTest::gmock_main)
+  endif()
+  voronaut_precompile(${name}_tests test)
   target_compile_definitions(${name}_tests PRIVATE
     VORONAUT_SOURCE_DIR="${PROJECT_SOURCE_DIR}" VORONAUT_BINARY_DIR="${PROJECT_BINARY_DIR}")
   gtest_discover_tests(${name}_tests TEST_PREFIX "${name}." DISCOVERY_TIMEOUT 600)

@@ -25,7 +25,7 @@ std::string first_comment(const std::string& suite_text) {
 
 SuiteEvidence evidence_of(const std::string& path, const PlannerCatalog& planners) {
   const OutputFolder folder = OutputFolder::open(path);
-  const SuiteSource source = folder.source();
+  SuiteSource source = folder.source();
   const SuiteConfig suite = source.read(planners);
   std::ifstream file(folder.file("manifest.json"));
   const auto manifest = nlohmann::json::parse(file, nullptr, false);
@@ -39,7 +39,7 @@ SuiteEvidence evidence_of(const std::string& path, const PlannerCatalog& planner
   evidence.commit = has_program ? said(manifest["program"], "commit") : "unknown";
   if (has_program && manifest["program"].value("dirty", false)) evidence.commit += " (changed)";
   evidence.started_utc = said(manifest, "started_utc");
-  evidence.claims = suite.claims;
+  evidence.criteria = suite.acceptance;
   evidence.records = folder.store().records();
   evidence.digest = digest(evidence.records);
   return evidence;

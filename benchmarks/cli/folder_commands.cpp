@@ -4,6 +4,7 @@
 #include "voronaut/benchmarks/cli/commands.h"
 #include "voronaut/benchmarks/results/digest.h"
 #include "voronaut/benchmarks/results/output_folder.h"
+#include "voronaut/benchmarks/runner/isolated_world.h"
 #include "voronaut/benchmarks/runner/run_trial.h"
 #include "voronaut/benchmarks/runner/runner.h"
 #include "voronaut/benchmarks/suite/suite_trials.h"
@@ -12,8 +13,11 @@
 namespace voronaut {
 
 ExitCode execute(const SummaryOptions& options, const CommandContext& context) {
-  const Summary summary = summarise(OutputFolder::open(options.folder).store().records());
-  context.out << (options.json ? summary_json(summary) + "\n" : summary_text(summary));
+  const OutputFolder folder = OutputFolder::open(options.folder);
+  const Summary summary = summarise(folder.store().records());
+  context.out << (options.json  ? summary_json(summary) + "\n"
+                  : options.csv ? summary_csv(summary)
+                                : summary_text(summary) + folder.note_on_repetitions());
   return ExitCode::success;
 }
 
@@ -26,7 +30,7 @@ ExitCode execute(const DigestOptions& options, const CommandContext& context) {
 namespace {
 
 TrialSpec find_trial(const SuiteConfig& suite, const std::string& id) {
-  SuiteTrials trials(suite);
+  SuiteTrials trials(suite, rehearse_in_child());
   while (auto planned = trials.next()) {
     if (planned->spec.trial_id != id) continue;
     if (!planned->refusal.empty())
@@ -46,7 +50,7 @@ ExitCode execute(const ReplayOptions& options, const CommandContext& context) {
   const RunRecord stored = folder.store().record(id).value();
   const SuiteConfig suite = folder.source().read(context.planners);
   TrialSpec spec = find_trial(suite, id);
-  ShortestReferences::exact().add_to(spec);
+  isolated_references().add_to(spec);
   const RunRecord flown =
       run_alone(spec, suite.limits, [&](const TrialSpec& trial, bool keep_trace) {
         return run_trial(trial, context.planners, keep_trace);

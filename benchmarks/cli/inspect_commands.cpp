@@ -12,6 +12,7 @@
 #include "voronaut/environments/generators/world_generators.h"
 #include "voronaut/environments/scenario_files/scenario_reader.h"
 #include "voronaut/planners/problem/problem.h"
+#include "voronaut/reports/summary/results_page.h"
 #include "voronaut/reports/summary/text_table.h"
 
 namespace voronaut {
@@ -119,6 +120,10 @@ void check_suite(const ConfigNode& root, const CheckOptions& options,
 ExitCode execute(const ListOptions& options, const CommandContext& context) {
   if (options.what == "planners") {
     context.out << planner_table(context.planners).aligned();
+    return ExitCode::success;
+  }
+  if (options.what == "results") {
+    context.out << results_page();
     return ExitCode::success;
   }
   const Rows rows = rows_of(options.what);

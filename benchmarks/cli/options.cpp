@@ -14,7 +14,7 @@ namespace {
 constexpr const char* kFooter =
     "Exit codes: 0 success; 1 ran, but something failed (a trial ended as crash, killed, memory "
     "or\n"
-    "invalid, a replay differed, a claim is broken, the run was interrupted); 2 bad input.";
+    "invalid, a replay differed, a criterion is broken, the run was interrupted); 2 bad input.";
 
 CLI::App* add_command(CLI::App& app, const std::string& name, const std::string& summary) {
   CLI::App* command = app.add_subcommand(name, summary);
@@ -43,10 +43,13 @@ struct Commands {
     summary_command = add_command(app, "summary", "Print what a run says about its planners");
     add_folder(summary_command, summary.folder);
     summary_command->add_flag("--json", summary.json, "As JSON");
+    summary_command->add_flag("--csv", summary.csv, "As CSV, every statistic with its interval")
+        ->excludes("--json");
     list_command = add_command(app, "list", "Print what there is");
     list_command->add_option("WHAT", list.what)
         ->required()
-        ->check(CLI::IsMember({"planners", "vehicles", "regulators", "scenarios", "suites"}));
+        ->check(CLI::IsMember(
+            {"planners", "vehicles", "regulators", "scenarios", "suites", "results"}));
     add_plugins(list_command, list.plugins);
     check_command = add_command(app, "check", "Validate a suite or scenario without running it");
     check_command
@@ -61,9 +64,11 @@ struct Commands {
     digest_command->add_flag("--flights", digest.flights,
                              "Of what was flown alone: no ids, names of keys, modes, reasons");
     add_report(app);
-    evidence_command = add_command(app, "evidence", "Hold the claims of suites against results");
+    evidence_command =
+        add_command(app, "evidence", "Hold the acceptance criteria of suites against results");
     evidence_command->add_option("DIR", evidence.folders, "Folders of results")->required();
     evidence_command->add_option("-o,--output", evidence.out, "Markdown file [standard output]");
+    add_plugins(evidence_command, evidence.plugins);
     add_plot(app);
     add_show(app);
     add_export(app);

@@ -25,6 +25,7 @@ struct RunOptions {
 struct SummaryOptions {
   std::string folder;
   bool json = false;
+  bool csv = false;
 };
 
 struct ListOptions {
@@ -60,6 +61,7 @@ struct ReportOptions {
 struct EvidenceOptions {
   std::vector<std::string> folders;
   std::string out;  // a Markdown file; empty: standard output
+  std::vector<std::string> plugins;
 };
 
 struct PlotOptions {

@@ -1,5 +1,6 @@
 #include "voronaut/benchmarks/cli/run_cli.h"
 
+#include <csignal>
 #include <filesystem>
 #include <iostream>
 #include <stdexcept>
@@ -54,6 +55,7 @@ PlannerCatalog with_plugins(PlannerCatalog planners, const Options& options) {
 }  // namespace
 
 int run_cli(int argc, char** argv, const PlannerCatalog& planners) {
+  std::signal(SIGXFSZ, SIG_IGN);  // a file that may not grow (ulimit -f) is an error with a message
   ompl::msg::setLogLevel(ompl::msg::LOG_NONE);
   const ParsedArguments parsed = parse_arguments(argc, argv, std::cout, std::cerr);
   if (!parsed.options) return static_cast<int>(parsed.exit_code);

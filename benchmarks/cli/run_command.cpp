@@ -1,8 +1,6 @@
 #include <chrono>
 #include <ctime>
-#include <fstream>
 #include <iostream>
-#include <sstream>
 #include <stdexcept>
 
 #include <unistd.h>
@@ -10,6 +8,7 @@
 #include "voronaut/benchmarks/cli/commands.h"
 #include "voronaut/benchmarks/isolation/process_pool.h"
 #include "voronaut/benchmarks/results/output_folder.h"
+#include "voronaut/benchmarks/runner/isolated_world.h"
 #include "voronaut/benchmarks/runner/run_trial.h"
 #include "voronaut/benchmarks/runner/runner.h"
 #include "voronaut/benchmarks/suite/shipped_files.h"
@@ -31,11 +30,9 @@ std::string utc_now() {
 
 SuiteSource source_of(const RunOptions& options) {
   const std::string file = find_suite(options.suite).string();
-  ConfigNode::read_file(file);  // says what is wrong with the file itself
-  std::ifstream in(file, std::ios::binary);
-  std::ostringstream text;
-  text << in.rdbuf();
-  return {file, text.str(), options.data, options.seed, options.repetitions};
+  const std::string text = read_text_file(file);
+  ConfigNode::parse(text, file);  // says what is wrong with the file itself
+  return {file, text, options.data, options.seed, options.repetitions};
 }
 
 ExitCode report_run(const RunReport& run, const OutputFolder& folder,
@@ -44,8 +41,8 @@ ExitCode report_run(const RunReport& run, const OutputFolder& folder,
   folder.write_report();
   const auto records = folder.store().records();
   std::size_t failed = 0;
-  for (const RunRecord& record : records) failed += is_failure(record.outcome) ? 1 : 0;
-  context.out << summary_text(summarise(records)) << "\n";
+  for (const RunRecord& record : records) failed += entry_of(record.outcome).cut_off ? 1 : 0;
+  context.out << summary_text(summarise(records)) << folder.note_on_repetitions() << "\n";
   if (run.stored > 0)
     context.out << run.stored << " trials were there, " << run.done << " are new\n";
   if (failed > 0)
@@ -63,7 +60,7 @@ ExitCode fly(const SuiteConfig& suite, const RunOptions& options, OutputFolder& 
   Progress progress(context.err, isatty(STDERR_FILENO) != 0, SuiteTrials(suite).total(),
                     std::chrono::steady_clock::now());
   const std::size_t jobs = options.jobs > 0 ? options.jobs : ProcessPool::default_jobs();
-  ShortestReferences references = ShortestReferences::exact();
+  ShortestReferences references = isolated_references();
   const RunReport run = run_suite(suite, trial, jobs, references, folder.store(), progress);
   if (run.interrupted) {
     context.err << "voronaut: interrupted; the same command goes on from here" << std::endl;
@@ -75,7 +72,7 @@ ExitCode fly(const SuiteConfig& suite, const RunOptions& options, OutputFolder& 
 }  // namespace
 
 ExitCode execute(const RunOptions& options, const CommandContext& context) {
-  const SuiteSource source = source_of(options);
+  SuiteSource source = source_of(options);
   SuiteConfig suite = source.read(context.planners);
   SuiteTrials::check_worlds(suite);
   const SuiteConfig whole = suite;

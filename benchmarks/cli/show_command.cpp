@@ -1,9 +1,13 @@
 #include <filesystem>
+#include <fstream>
 #include <ostream>
+#include <stdexcept>
 
 #include "voronaut/benchmarks/cli/commands.h"
 #include "voronaut/benchmarks/episode/episode_trace.h"
 #include "voronaut/environments/formats/foreign_formats.h"
+#include "voronaut/environments/formats/wkt.h"
+#include "voronaut/environments/polygons/polygon_areas.h"
 #include "voronaut/environments/scenario_files/scenario_reader.h"
 #include "voronaut/environments/world.h"
 #include "voronaut/reports/figures/figure_file.h"
@@ -26,38 +30,70 @@ Bounds bounds_around(const Shapes& shapes, const std::string& file) {
   return {around.min - margin, around.max + margin};
 }
 
-FigurePanel foreign_panel(const std::string& file, const std::string& name) {
+// Solids that overlap or share edges as one: without the edges inside. Holes are rings the other
+// way round, which a figure leaves open.
+TraceWorld drawn_world(const Scenario& scenario) {
+  TraceWorld world = trace_world(scenario, "");
+  world.polygons.clear();
+  const auto add_ring = [&world](const std::vector<Vec2>& ring) {
+    auto& outline = world.polygons.emplace_back();
+    for (const Vec2& p : ring) outline.push_back({p.x(), p.y()});
+  };
+  for (const PolygonArea& area : united(scenario.world->shapes().polygons)) {
+    add_ring(area.outer);
+    for (const auto& hole : area.holes) add_ring(hole);
+  }
+  return world;
+}
+
+Scenario foreign_scenario(const std::string& file, const std::string& name, bool& has_ends) {
   const ForeignFormat& format = foreign_format(name, file);
   const ForeignWorld read = format.read(file, format.defaults);
   const Bounds bounds = read.bounds ? *read.bounds : bounds_around(read.shapes, file);
   Scenario scenario;
+  scenario.name = std::filesystem::path(file).filename().string();
   scenario.world = std::make_shared<const World>(bounds, read.shapes);
   const Vec2 middle = (bounds.min + bounds.max) / 2;
   scenario.start_world = read.start.value_or(middle);
   scenario.goal_world = read.goal.value_or(middle);
-  FigurePanel panel{std::filesystem::path(file).filename().string(), trace_world(scenario, ""), {}};
-  panel.ends = read.start && read.goal;
-  return panel;
+  has_ends = read.start && read.goal;
+  return scenario;
 }
 
-std::vector<FigurePanel> scenario_panels(const ShowOptions& options) {
-  std::vector<FigurePanel> panels;
+std::vector<Scenario> scenarios_of(const ShowOptions& options) {
+  std::vector<Scenario> scenarios;
   for (const ScenarioSpec& spec :
-       read_scenarios(ConfigNode::read_file(options.file), DataLocation::find(options.data))) {
-    const Scenario scenario = spec.instantiate(options.seed);
-    panels.push_back({scenario.name, trace_world(scenario, ""), {}});
-  }
-  return panels;
+       read_scenarios(ConfigNode::read_file(options.file), DataLocation::find(options.data)))
+    scenarios.push_back(spec.instantiate(options.seed));
+  return scenarios;
+}
+
+void write_wkt(const std::vector<Scenario>& scenarios, const std::string& path) {
+  std::ofstream file(path);
+  for (const Scenario& scenario : scenarios) file << wkt_of(scenario.world->shapes());
+  if (!file.flush()) throw std::invalid_argument(path + ": cannot be written");
 }
 
 }  // namespace
 
 ExitCode execute(const ShowOptions& options, const CommandContext& context) {
-  check_figure_name(options.out);
+  const bool as_text = options.out.ends_with(".wkt");
+  if (!as_text) check_figure_name(options.out);
+  bool has_ends = true;
   const bool foreign = !options.format.empty() || is_foreign_file(options.file);
-  const std::vector<FigurePanel> panels =
-      foreign ? std::vector{foreign_panel(options.file, options.format)} : scenario_panels(options);
-  write_figure(panels, options.out);
+  const std::vector<Scenario> scenarios =
+      foreign ? std::vector{foreign_scenario(options.file, options.format, has_ends)}
+              : scenarios_of(options);
+  if (as_text) {
+    write_wkt(scenarios, options.out);
+  } else {
+    std::vector<FigurePanel> panels;
+    for (const Scenario& scenario : scenarios) {
+      panels.push_back({scenario.name, drawn_world(scenario), {}});
+      panels.back().ends = has_ends;
+    }
+    write_figure(panels, options.out);
+  }
   context.out << options.out << "\n";
   return ExitCode::success;
 }

@@ -17,8 +17,8 @@ VehicleFacts vehicle_facts(const TrialSpec& spec) {
   VehicleFacts facts;
   facts.body_radius_m = spec.vehicle.body_radius_m;
   facts.planning_clearance_m = spec.vehicle.planning_clearance_m;
-  facts.steering = mobility_of(spec.vehicle).moves_sideways ? Steering::any_direction
-                                                          : Steering::along_heading;
+  facts.steering =
+      mobility_of(spec.vehicle).moves_sideways ? Steering::any_direction : Steering::along_heading;
   facts.limits = spec.vehicle.limits;
   facts.velocity_gain_1_s = law.k_1_s;
   facts.deceleration_m_s2 = law.a_m_s2;
@@ -61,7 +61,8 @@ Flight::Flight(const TrialSpec& trial, const PlannerCatalog& planners, bool keep
       sensor_noise(derive_seed(trial.planner_seed, {"range finder"}, 0)),
       navigator(navigator_config(trial), planners),
       recorder(*trial.scenario.world, navigator, keep_scans),
-      referee(trial.scenario, trial.vehicle.body_radius_m, trial.shortest_length_m, trial.flight.loop) {}
+      referee(trial.scenario, trial.vehicle.body_radius_m, trial.shortest_length_m,
+              trial.flight.loop) {}
 
 VehicleState Flight::at_start() const {
   const Scenario& scenario = spec.scenario;

@@ -2,11 +2,11 @@
 
 #include <cmath>
 
-
 #include "voronaut/benchmarks/episode/episode.h"
 #include "voronaut/benchmarks/episode/episode_trace.h"
 #include "voronaut/benchmarks/episode/metrics.h"
 #include "voronaut/benchmarks/trial/ompl_seed.h"
+#include "voronaut/reports/summary/estimate.h"
 
 namespace voronaut {
 
@@ -18,38 +18,27 @@ std::string join(const std::vector<std::string>& words) {
   return text;
 }
 
-void add_metrics(RunRecord& record, const EpisodeLog& log, const Vec2& goal_world) {
+void add_metrics(RunRecord& record, const EpisodeLog& log, const Scenario& scenario) {
   const double arrival_or_end_s = log.end_s;
   const auto last = static_cast<std::size_t>(
       std::count_if(log.ticks.begin(), log.ticks.end(),
                     [&](const Tick& t) { return t.t_s <= arrival_or_end_s + 1e-9; }));
   const std::span<const Tick> flown(log.ticks.data(), last);
-  const bool success = record.outcome == Outcome::goal_reached;
   record.duration_s = arrival_or_end_s;
-  record.path_length_m = path_length_m(flown);
-  if (success) {
-    // The flight ends at the goal's tolerance, the reference at the goal: the rest of the way
-    // counts.
-    const double left_m = (flown.back().state.p_world.head<2>() - goal_world).norm();
-    record.path_ratio = (record.path_length_m + left_m) / record.shortest_length_m;
-  }
-  record.spl = spl(success, record.shortest_length_m, record.path_length_m);
-  record.clearance_min_m = clearance_min_m(log.ticks);
-  record.clearance_mean_m = clearance_mean_m(flown);
+  add_path(record, flown, scenario);
+  record.clearance_smallest_m = clearance_smallest_m(log.ticks);  // while it holds at the goal too
   record.speed_mean_m_s = speed_mean_m_s(flown, log.departure_s);
   record.speed_max_m_s = speed_max_m_s(flown);
-  record.end_x_m = flown.back().state.p_world.x();
-  record.end_y_m = flown.back().state.p_world.y();
   record.state_digest = state_digest(log.ticks);
 }
 
 void add_times(RunRecord& record, const EpisodeLog& log) {
   record.mapping_time_us_mean = mean(log.mapping.samples_us());
-  record.mapping_time_us_p99 = percentile(log.mapping.samples_us(), 99);
+  record.mapping_time_us_p99 = quantile(log.mapping.samples_us(), 0.99);
   record.planning_time_us_mean = mean(log.planning.samples_us());
-  record.planning_time_us_p99 = percentile(log.planning.samples_us(), 99);
+  record.planning_time_us_p99 = quantile(log.planning.samples_us(), 0.99);
   record.step_time_us_mean = mean(log.step.samples_us());
-  record.step_time_us_p99 = percentile(log.step.samples_us(), 99);
+  record.step_time_us_p99 = quantile(log.step.samples_us(), 0.99);
 }
 
 }  // namespace
@@ -74,7 +63,7 @@ TrialResult run_flown_trial(const TrialSpec& spec, const PlannerCatalog& planner
   add_solve_ends(result.record, log.solve_ends);
   result.record.map_points = static_cast<std::int64_t>(flight.navigator.known().points().size());
   result.record.map_obstacles = static_cast<std::int64_t>(flight.navigator.known().cluster_count());
-  add_metrics(result.record, log, spec.scenario.goal_world);
+  add_metrics(result.record, log, spec.scenario);
   add_times(result.record, log);
   if (keep_trace) result.trace = trace_of(spec, log, flight.navigator.known());
   return result;

@@ -16,7 +16,7 @@ double path_length_m(std::span<const Tick> ticks) {
   return length_m;
 }
 
-double clearance_min_m(std::span<const Tick> ticks) {
+double clearance_smallest_m(std::span<const Tick> ticks) {
   if (ticks.empty()) return kAbsent;
   return std::ranges::min(ticks, {}, &Tick::clearance_m).clearance_m;
 }
@@ -45,22 +45,26 @@ double speed_max_m_s(std::span<const Tick> ticks) {
   return fastest_m_s;
 }
 
-double spl(bool success, double shortest_m, double flown_m) {
+namespace {
+
+// NaN stays NaN.
+double at_least(double length_m, double least_m) { return length_m < least_m ? least_m : length_m; }
+
+}  // namespace
+
+double spl(bool success, double shortest_m, double flown_m, double goal_tolerance_m) {
   if (!success) return 0;
-  return shortest_m / std::max(flown_m, shortest_m);
+  const double least_m = at_least(shortest_m, goal_tolerance_m);
+  return least_m / std::max(flown_m, least_m);
+}
+
+double path_ratio(double to_goal_m, double shortest_m, double goal_tolerance_m) {
+  return at_least(to_goal_m, goal_tolerance_m) / at_least(shortest_m, goal_tolerance_m);
 }
 
 double mean(std::span<const double> samples) {
   if (samples.empty()) return kAbsent;
   return std::accumulate(samples.begin(), samples.end(), 0.0) / static_cast<double>(samples.size());
-}
-
-double percentile(std::vector<double> samples, double percent) {
-  if (samples.empty()) return kAbsent;
-  const double rank = std::ceil(percent / 100 * static_cast<double>(samples.size()));
-  const auto nth = samples.begin() + static_cast<std::ptrdiff_t>(std::max(rank, 1.0)) - 1;
-  std::nth_element(samples.begin(), nth, samples.end());
-  return *nth;
 }
 
 std::string state_digest(std::span<const Tick> ticks) {
@@ -80,6 +84,23 @@ std::string state_digest(std::span<const Tick> ticks) {
   char text[17];
   std::snprintf(text, sizeof text, "%016llx", static_cast<unsigned long long>(hash));
   return text;
+}
+
+void add_path(RunRecord& record, std::span<const Tick> ticks, const Scenario& scenario) {
+  const bool success = record.outcome == Outcome::goal_reached;
+  const Vec2 end_world = ticks.back().state.p_world.head<2>();
+  record.path_length_m = path_length_m(ticks);
+  if (success) {
+    const double left_m = (end_world - scenario.goal_world).norm();
+    record.path_ratio = path_ratio(record.path_length_m + left_m, record.shortest_length_m,
+                                   scenario.goal_tolerance_m);
+  }
+  record.spl =
+      spl(success, record.shortest_length_m, record.path_length_m, scenario.goal_tolerance_m);
+  record.clearance_smallest_m = clearance_smallest_m(ticks);
+  record.clearance_mean_m = clearance_mean_m(ticks);
+  record.end_x_m = end_world.x();
+  record.end_y_m = end_world.y();
 }
 
 }  // namespace voronaut

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cerrno>
+#include <charconv>
 #include <cmath>
 #include <csignal>
 #include <cstdio>
@@ -13,17 +14,18 @@
 #include <fcntl.h>
 #include <poll.h>
 #include <sys/mman.h>
-#include <sys/resource.h>
-#include <sys/syscall.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include "voronaut/benchmarks/isolation/child_side.h"
-#include "voronaut/environments/config/config_node.h"
+#include "voronaut/benchmarks/isolation/supervisor.h"
 
 namespace voronaut {
 
 namespace {
+
+// Given to a supervisor for what it has to do beyond its limits.
+constexpr auto kSupervisorPatience = std::chrono::seconds(10);
 
 constexpr off_t kErrorBytes = off_t{64} * 1024;  // of standard error that are kept
 
@@ -59,6 +61,20 @@ std::string failed_assertion(int error_fd) {
 
 std::string first_line(const std::string& text) { return text.substr(0, text.find('\n')); }
 
+// What operators, service managers, terminals and the kernel's memory killer send. A program may
+// send it to itself, which looks the same.
+bool is_sent_by_others(int signal) {
+  return signal == SIGKILL || signal == SIGTERM || signal == SIGINT || signal == SIGHUP;
+}
+
+// A limit as the suite file says it.
+std::string limit_text(double value) {
+  std::array<char, 64> text{};
+  return {
+      text.data(),
+      std::to_chars(text.data(), text.data() + text.size(), value, std::chars_format::fixed).ptr};
+}
+
 std::string signal_in_words(const ChildReport& report) {
   const char* name = sigabbrev_np(report.code);
   const std::string text = name ? "SIG" + std::string(name) : std::to_string(report.code);
@@ -74,67 +90,85 @@ std::string end_in_words(const ChildReport& report, const ProcessLimits& limits)
     case ChildReport::End::exited:
       return "ended the process with exit code " + std::to_string(report.code);
     case ChildReport::End::signalled:
+    case ChildReport::End::killed:
       return signal_in_words(report);
     case ChildReport::End::memory:
-      return "asked for more than " + number_text(limits.memory_mb) + " MB of memory";
+      return "asked for more than " + limit_text(limits.memory_mb) + " MB of memory";
     case ChildReport::End::cpu_limit:
-      return "used more than " + number_text(limits.cpu_s) + " s of CPU time";
+      return "used more than " + limit_text(limits.cpu_s) + " s of CPU time";
     case ChildReport::End::wall_limit:
-      return "took longer than " + number_text(limits.wall_s) + " s";
+      return "took longer than " + limit_text(limits.wall_s) + " s";
+    case ChildReport::End::output_limit:
+      return "sent more than " + std::to_string(kOutputBytesMax >> 20U) + " MB as its result";
     case ChildReport::End::finished:
       break;
   }
   return "sent a garbled result";
 }
 
-ChildProcess::ChildProcess(const Work& work, const ProcessLimits& limits, Streams streams)
+ChildProcess::ChildProcess(const Work& work, const ProcessLimits& limits, const Setup& setup)
     : cpu_limit_s_(std::ceil(limits.cpu_s)) {
   void* page =
       mmap(nullptr, sizeof(LastWords), PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
   if (page == MAP_FAILED) fail("a shared page for a child");
   last_words_ = new (page) LastWords();
-  std::array<int, 2> pipe_fds{-1, -1};
-  if (pipe2(pipe_fds.data(), O_CLOEXEC) != 0) {
+  std::array<int, 2> output{-1, -1};
+  std::array<int, 2> verdict{-1, -1};
+  if (pipe2(output.data(), O_CLOEXEC) != 0 || pipe2(verdict.data(), O_CLOEXEC) != 0) {
+    const std::error_code why(errno, std::generic_category());
+    for (const int fd : output) close(fd);
     munmap(page, sizeof(LastWords));
-    fail("a pipe to a child");
+    throw std::system_error(why, "a pipe to a child");
   }
   error_fd_ = make_error_file();
-  output_fd_ = pipe_fds[0];
+  output_fd_ = output[0];
+  verdict_fd_ = verdict[0];
   fcntl(output_fd_, F_SETFL, O_NONBLOCK);
+  fcntl(verdict_fd_, F_SETFL, O_NONBLOCK);
 
   std::fflush(nullptr);
-  const pid_t parent = getpid();
+  const pid_t caller = getpid();
   pid_ = fork();
-  if (pid_ == 0) {
-    close(output_fd_);
-    run_child_side(work, limits,
-                   {pipe_fds[1], error_fd_, parent, static_cast<LastWords*>(page), streams});
-  }
-  close(pipe_fds[1]);
+  if (pid_ == 0)
+    supervise({work,
+               limits,
+               setup,
+               caller,
+               verdict[1],
+               {output[1], error_fd_, 0, static_cast<LastWords*>(page), setup.streams}});
+  const std::error_code why(errno, std::generic_category());
+  close(output[1]);
+  close(verdict[1]);
   if (pid_ < 0) {
-    const std::error_code why(errno, std::generic_category());
-    close(output_fd_);
-    if (error_fd_ >= 0) close(error_fd_);
+    for (const int fd : {output_fd_, verdict_fd_, error_fd_}) close(fd);
     munmap(page, sizeof(LastWords));
     throw std::system_error(why, "a child process");
   }
-  setpgid(pid_, pid_);  // on both sides: whoever comes first
-  process_fd_ = static_cast<int>(syscall(SYS_pidfd_open, pid_, 0));
-  deadline_ = Clock::now() + std::chrono::duration_cast<Clock::duration>(
-                                 std::chrono::duration<double>(limits.wall_s));
+  deadline_ =
+      Clock::now() + kSupervisorPatience +
+      std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(limits.wall_s));
 }
 
 ChildProcess::~ChildProcess() {
   if (pid_ > 0) {
-    kill(-pid_, SIGKILL);
-    kill(pid_, SIGKILL);
-    while (waitpid(pid_, nullptr, 0) < 0 && errno == EINTR) {
-    }
+    kill(pid_, SIGTERM);
+    wait_for_supervisor();
   }
-  for (const int fd : {process_fd_, output_fd_, error_fd_}) {
+  for (const int fd : {verdict_fd_, output_fd_, error_fd_}) {
     if (fd >= 0) close(fd);
   }
   munmap(last_words_, sizeof(LastWords));
+}
+
+// It ends as soon as nothing is left below it, unless somebody stopped it.
+void ChildProcess::wait_for_supervisor() {
+  const auto patience = Clock::now() + kSupervisorPatience;
+  pid_t ended = 0;
+  while ((ended = waitpid(pid_, nullptr, WNOHANG)) == 0 || (ended < 0 && errno == EINTR)) {
+    if (Clock::now() > patience) kill(pid_, SIGKILL);
+    usleep(200);
+  }
+  pid_ = -1;
 }
 
 void ChildProcess::read_output() {
@@ -143,56 +177,66 @@ void ChildProcess::read_output() {
     const ssize_t count = read(output_fd_, buffer.data(), buffer.size());
     if (count > 0) {
       received_.append(buffer.data(), static_cast<std::size_t>(count));
+      if (received_.size() <= kOutputBytesMax) continue;
+      over_output_limit_ = true;
+      received_ = {};
+      if (pid_ > 0) kill(pid_, SIGTERM);
     } else if (count < 0 && errno == EINTR) {
       continue;
     } else if (count < 0 && (errno == EAGAIN || errno == EWOULDBLOCK)) {
       return;
-    } else {
-      close(output_fd_);
-      output_fd_ = -1;
     }
+    close(output_fd_);
+    output_fd_ = -1;
   }
 }
 
 bool ChildProcess::has_ended() {
   if (pid_ < 0) return true;
-  siginfo_t info{};
-  if (waitid(P_PID, static_cast<id_t>(pid_), &info, WEXITED | WNOHANG | WNOWAIT) != 0 ||
-      info.si_pid != pid_) {
-    return false;
-  }
-  kill(-pid_, SIGKILL);  // what it left behind; the number is its own until it is waited for
-  int status = 0;
-  rusage usage{};
-  while (wait4(pid_, &status, 0, &usage) < 0 && errno == EINTR) {
-  }
-  pid_ = -1;
+  Verdict verdict;
+  const ssize_t size = read(verdict_fd_, &verdict, sizeof verdict);
+  if (size < 0 && (errno == EAGAIN || errno == EINTR)) return false;
+  wait_for_supervisor();
   read_output();
-  const auto seconds = [](const timeval& t) {
-    return static_cast<double>(t.tv_sec) + 1e-6 * static_cast<double>(t.tv_usec);
-  };
-  report_.cpu_time_s = seconds(usage.ru_utime) + seconds(usage.ru_stime);
-  report_.memory_max_mb = static_cast<double>(usage.ru_maxrss) / 1024;
-  interpret(status);
+  if (size != sizeof verdict) {
+    verdict.cause = Verdict::Cause::guard_ended;  // the supervisor itself was killed
+  } else if (verdict.cause == Verdict::Cause::not_started) {
+    throw std::system_error(verdict.error, std::generic_category(), "a child process");
+  }
+  report_.cpu_time_s = verdict.cpu_time_s;
+  report_.memory_max_mb = verdict.memory_max_mb;
+  interpret(verdict);
   return true;
 }
 
-void ChildProcess::interpret(int wait_status) {
+void ChildProcess::interpret(const Verdict& verdict) {
+  using Cause = Verdict::Cause;
+  using End = ChildReport::End;
+  if (over_output_limit_) {
+    report_.end = End::output_limit;
+  } else if (over_wall_limit_ || verdict.cause == Cause::wall_limit) {
+    report_.end = End::wall_limit;
+  } else if (verdict.cause == Cause::memory) {
+    report_.end = End::memory;
+  } else if (verdict.cause == Cause::ended) {
+    interpret_end(verdict.wait_status);
+  } else {
+    report_.end = End::killed;
+    report_.code = verdict.cause == Cause::stopped ? SIGTERM : SIGKILL;
+  }
+}
+
+void ChildProcess::interpret_end(int wait_status) {
   using End = ChildReport::End;
   const auto* words = static_cast<const LastWords*>(last_words_);
   auto frame = parse_frame(received_);
   received_.clear();
   const bool left_in_order = WIFEXITED(wait_status) && WEXITSTATUS(wait_status) == 0;
-  const bool over_cpu_limit =
-      WIFSIGNALED(wait_status) &&
-      (WTERMSIG(wait_status) == SIGXCPU || (WTERMSIG(wait_status) == SIGKILL && !over_wall_limit_ &&
-                                            report_.cpu_time_s >= cpu_limit_s_));
+  const int signal = WIFSIGNALED(wait_status) ? WTERMSIG(wait_status) : 0;
   if (frame && left_in_order && frame->kind == FrameKind::result) {
     report_.end = End::finished;
     report_.output = std::move(frame->payload);
-  } else if (over_wall_limit_) {
-    report_.end = End::wall_limit;
-  } else if (over_cpu_limit) {
+  } else if (signal == SIGXCPU || (signal == SIGKILL && report_.cpu_time_s >= cpu_limit_s_)) {
     report_.end = End::cpu_limit;
   } else if (words->allocation_refused || (frame && frame->kind == FrameKind::memory)) {
     report_.end = End::memory;
@@ -203,8 +247,8 @@ void ChildProcess::interpret(int wait_status) {
     report_.end = End::exited;
     report_.code = WEXITSTATUS(wait_status);
   } else {
-    report_.end = End::signalled;
-    report_.code = WTERMSIG(wait_status);
+    report_.end = is_sent_by_others(signal) ? End::killed : End::signalled;
+    report_.code = signal;
     report_.message = first_line(words->message.data());
     if (report_.message.empty()) report_.message = failed_assertion(error_fd_);
   }
@@ -212,17 +256,17 @@ void ChildProcess::interpret(int wait_status) {
 
 void ChildProcess::enforce_wall_limit(Clock::time_point now) {
   if (pid_ < 0 || now < deadline_) return;
-  kill(-pid_, over_wall_limit_ ? SIGKILL : SIGTERM);
+  kill(pid_, SIGKILL);
   over_wall_limit_ = true;
-  deadline_ = now + std::chrono::seconds(1);
+  deadline_ = now + kSupervisorPatience;
 }
 
 ChildReport run_in_child(const ChildProcess::Work& work, const ProcessLimits& limits,
-                         ChildProcess::Streams streams) {
-  ChildProcess child(work, limits, streams);
+                         const ChildProcess::Setup& setup) {
+  ChildProcess child(work, limits, setup);
   while (!child.has_ended()) {
     std::array<pollfd, 2> fds{pollfd{child.output_fd(), POLLIN, 0},
-                              pollfd{child.process_fd(), POLLIN, 0}};
+                              pollfd{child.verdict_fd(), POLLIN, 0}};
     poll(fds.data(), fds.size(), 50);
     child.read_output();
     child.enforce_wall_limit(ChildProcess::Clock::now());

@@ -1,19 +1,28 @@
 #pragma once
 
 #include <chrono>
+#include <cstddef>
+#include <filesystem>
 #include <functional>
 #include <string>
+#include <vector>
 
 #include <sys/types.h>
 
-// Work done in a forked child, so that whatever happens to it stays there.
+// Work done in a forked child, so that whatever happens to it stays there. docs/isolation.md says
+// what that promises.
 namespace voronaut {
 
 struct ProcessLimits {
-  double memory_mb = 1024;  // address space it may add; not set where a sanitizer needs terabytes
-  double cpu_s = 120;       // CPU time of the child, rounded up to whole seconds
+  // Address space that the child may add (not set where a sanitizer needs terabytes), and memory in
+  // use by it, its own children and the memory files they hold, looked at every 20 ms.
+  double memory_mb = 1024;
+  double cpu_s = 120;  // CPU time of the child, rounded up to whole seconds
   double wall_s = 300;
 };
+
+// The longest result that is taken from a child; what sends more is stopped.
+inline constexpr std::size_t kOutputBytesMax = std::size_t{64} << 20U;
 
 // How a child ended.
 struct ChildReport {
@@ -22,9 +31,11 @@ struct ChildReport {
     exception,  // it threw; `message` is what() of it
     exited,     // it ended the process itself, with `code`
     signalled,  // `code` is the signal; `message` a failed assertion or uncaught exception, if any
-    memory,     // an allocation was refused and it did not get over it
+    killed,     // by a signal that programs get from others, `code`; no limit of ours sent it
+    memory,     // an allocation was refused and it did not get over it, or too much was in use
     cpu_limit,
     wall_limit,
+    output_limit,  // it sent more than kOutputBytesMax
   };
   End end = End::finished;
   int code = 0;
@@ -37,53 +48,67 @@ struct ChildReport {
 // Why it brought no result, in one line: "ended by SIGABRT: a.h:12: f: Assertion `x' failed.".
 std::string end_in_words(const ChildReport& report, const ProcessLimits& limits);
 
-// One child. The parent must have a single thread when it starts one. The child runs in a process
-// group of its own, so that a Ctrl-C on the terminal reaches the parent only, and dies with the
-// parent. It ends without running destructors of the parent's objects.
+// One child, behind a supervisor (supervisor.h) that holds its limits and takes along whatever it
+// started. The caller must have a single thread when it starts one, and nothing else about it
+// changes: no signal handler, no subreaper, no children but the supervisor. The child inherits
+// nothing but standard streams and its pipe, stands in a session of its own, so that a Ctrl-C on
+// the terminal reaches the caller only, and dies with the caller. It ends without running
+// destructors of the caller's objects.
 class ChildProcess {
  public:
   using Clock = std::chrono::steady_clock;
   using Work = std::function<std::string()>;
   enum class Streams { silent, inherited };
 
+  struct Setup {
+    Streams streams = Streams::silent;
+    // Folders that the child may read only, where the system allows it mounts of its own.
+    std::vector<std::filesystem::path> read_only{};
+    bool namespaces = true;  // false: as on a system that allows none
+  };
+
   // Forks; throws std::system_error if that is impossible.
-  ChildProcess(const Work& work, const ProcessLimits& limits, Streams streams = Streams::silent);
+  ChildProcess(const Work& work, const ProcessLimits& limits, const Setup& setup);
   ChildProcess(const ChildProcess&) = delete;
   ChildProcess& operator=(const ChildProcess&) = delete;
-  ~ChildProcess();  // kills it if it still runs
+  ~ChildProcess();  // stops it if it still runs
 
-  // For poll(): readable when there is output, and when it has ended. process_fd() is -1 where the
-  // kernel has no pidfd; ask has_ended() from time to time then.
+  // For poll(): readable when there is output, and when it has ended.
   int output_fd() const { return output_fd_; }
-  int process_fd() const { return process_fd_; }
+  int verdict_fd() const { return verdict_fd_; }
 
   // Takes what the child has written so far out of the pipe; never blocks.
   void read_output();
-  // True once the child is gone; its report is complete then. Never blocks.
+  // True once the child and all that it started are gone; its report is complete then. Does not
+  // wait. Throws std::system_error if the system had no process for it.
   bool has_ended();
   const ChildReport& report() const { return report_; }
 
-  // Past its wall limit: asks it to stop, and a second later makes it.
+  // The supervisor ends a child that is past its wall limit; one that does not, for it was itself
+  // stopped by somebody, is ended here.
   void enforce_wall_limit(Clock::time_point now);
   Clock::time_point deadline() const { return deadline_; }
 
  private:
-  void interpret(int wait_status);
+  void interpret(const struct Verdict& verdict);
+  void interpret_end(int wait_status);
+  void wait_for_supervisor();
 
-  pid_t pid_ = -1;
-  int process_fd_ = -1;
+  pid_t pid_ = -1;  // of the supervisor
+  int verdict_fd_ = -1;
   int output_fd_ = -1;
   int error_fd_ = -1;           // memory file that holds the child's standard error
   void* last_words_ = nullptr;  // page shared with the child
   double cpu_limit_s_ = 0;
   Clock::time_point deadline_;
   bool over_wall_limit_ = false;
+  bool over_output_limit_ = false;
   std::string received_;
   ChildReport report_;
 };
 
 // Waits for one child alone.
 ChildReport run_in_child(const ChildProcess::Work& work, const ProcessLimits& limits,
-                         ChildProcess::Streams streams = ChildProcess::Streams::silent);
+                         const ChildProcess::Setup& setup = {});
 
 }  // namespace voronaut

@@ -14,6 +14,9 @@
 #include <sys/resource.h>
 #include <unistd.h>
 
+#include "voronaut/benchmarks/isolation/descriptors.h"
+#include "voronaut/benchmarks/isolation/namespaces.h"
+
 namespace voronaut {
 
 namespace {
@@ -82,7 +85,7 @@ void set_limits(const ProcessLimits& limits) {
 }
 
 void reset_signals() {
-  for (const int signal : {SIGINT, SIGTERM, SIGXCPU, SIGHUP}) std::signal(signal, SIG_DFL);
+  for (const int signal : {SIGINT, SIGTERM, SIGXCPU, SIGXFSZ, SIGHUP}) std::signal(signal, SIG_DFL);
   std::signal(SIGPIPE, SIG_IGN);
   sigset_t none;
   sigemptyset(&none);
@@ -117,24 +120,27 @@ void send(int fd, FrameKind kind, std::string_view payload) {
 
 void run_child_side(const ChildProcess::Work& work, const ProcessLimits& limits,
                     const ChildSide& side) {
-  setpgid(0, 0);
+  setsid();
   prctl(PR_SET_PDEATHSIG, SIGKILL);
-  if (getppid() != side.parent) _exit(1);  // the parent died before it could be watched
+  if (getppid() != side.parent) _exit(1);  // the guard died before that held
   reset_signals();
   if (side.streams == ChildProcess::Streams::silent) silence_streams(side.error_fd);
+  const int output_fd = move_out_of_reach(side.output_fd);
+  close_all_but({output_fd});
+  give_up_mounting();
   g_last_words = side.last_words;
   std::set_new_handler(note_refused_allocation);
   std::set_terminate(note_uncaught_exception);
   set_limits(limits);
 
   try {
-    send(side.output_fd, FrameKind::result, work());
+    send(output_fd, FrameKind::result, work());
   } catch (const std::bad_alloc&) {
-    send(side.output_fd, FrameKind::memory, {});
+    send(output_fd, FrameKind::memory, {});
   } catch (const std::exception& error) {
-    send(side.output_fd, FrameKind::exception, error.what());
+    send(output_fd, FrameKind::exception, error.what());
   } catch (...) {
-    send(side.output_fd, FrameKind::exception, "an exception that is no std::exception");
+    send(output_fd, FrameKind::exception, "an exception that is no std::exception");
   }
   std::fflush(nullptr);
   _exit(0);

@@ -21,12 +21,12 @@ struct LastWords {
 struct ChildSide {
   int output_fd;
   int error_fd;  // becomes standard error
-  pid_t parent;
+  pid_t parent;  // the guard, by the number that the child sees
   LastWords* last_words;
   ChildProcess::Streams streams;
 };
 
-// Sets the limits, does the work, writes one frame and leaves with _exit.
+// Closes all but its pipe, sets the limits, does the work, writes one frame and leaves with _exit.
 [[noreturn]] void run_child_side(const ChildProcess::Work& work, const ProcessLimits& limits,
                                  const ChildSide& side);
 

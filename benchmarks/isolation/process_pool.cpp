@@ -65,11 +65,8 @@ void wait_for_events(const std::list<Running>& children, int signal_fd) {
   auto wake = ChildProcess::Clock::now() + std::chrono::milliseconds(200);
   for (const Running& child : children) {
     fds.push_back({child.process->output_fd(), POLLIN, 0});
-    fds.push_back({child.process->process_fd(), POLLIN, 0});
+    fds.push_back({child.process->verdict_fd(), POLLIN, 0});
     wake = std::min(wake, child.process->deadline());
-    if (child.process->process_fd() < 0) {  // no pidfd: the end of its output is the only sign
-      wake = std::min(wake, ChildProcess::Clock::now() + std::chrono::milliseconds(5));
-    }
   }
   const auto wait = std::chrono::ceil<std::chrono::milliseconds>(wake - ChildProcess::Clock::now());
   poll(fds.data(), fds.size(), static_cast<int>(std::max<std::int64_t>(wait.count(), 0)));
@@ -92,11 +89,11 @@ void attend(std::list<Running>& children) {
 
 }  // namespace
 
-ProcessPool::ProcessPool(std::size_t jobs, const ProcessLimits& limits,
-                         ChildProcess::Streams streams, std::function<void()> tick)
+ProcessPool::ProcessPool(std::size_t jobs, const ProcessLimits& limits, ChildProcess::Setup setup,
+                         std::function<void()> tick)
     : jobs_(std::max<std::size_t>(jobs, 1)),
       limits_(limits),
-      streams_(streams),
+      setup_(std::move(setup)),
       tick_(std::move(tick)) {}
 
 ProcessPool::End ProcessPool::run(const std::function<std::optional<Job>()>& next) {
@@ -109,7 +106,7 @@ ProcessPool::End ProcessPool::run(const std::function<std::optional<Job>()>& nex
       more = job.has_value();
       if (more) {
         children.push_back(
-            {std::make_unique<ChildProcess>(job->work, limits_, streams_), std::move(job->done)});
+            {std::make_unique<ChildProcess>(job->work, limits_, setup_), std::move(job->done)});
       }
     }
     if (stop.received()) return End::interrupted;

@@ -20,7 +20,7 @@ class ProcessPool {
   enum class End { all_done, interrupted };
 
   // jobs >= 1 children at once. `tick` is called between events, at least every 0.2 s.
-  ProcessPool(std::size_t jobs, const ProcessLimits& limits, ChildProcess::Streams streams,
+  ProcessPool(std::size_t jobs, const ProcessLimits& limits, ChildProcess::Setup setup,
               std::function<void()> tick);
 
   // Asks `next` for a job whenever a place is free, until it has none. Exceptions of `next` and
@@ -33,7 +33,7 @@ class ProcessPool {
  private:
   std::size_t jobs_;
   ProcessLimits limits_;
-  ChildProcess::Streams streams_;
+  ChildProcess::Setup setup_;
   std::function<void()> tick_;
 };
 

@@ -6,7 +6,7 @@
 #include "voronaut/benchmarks/suite/suite_config.h"
 #include "voronaut/environments/formats/query_selection.h"
 #include "voronaut/environments/generators/world_generators.h"
-#include "voronaut/environments/scenario_keys.h"
+#include "voronaut/environments/scenario_files/scenario_keys.h"
 #include "voronaut/planners/catalog/parameter_declaration.h"
 #include "voronaut/planners/catalog/parameter_range.h"
 
@@ -80,13 +80,13 @@ FileKeys file_keys(const PlannerCatalog& planners) {
   keys.vehicle = key_facts(VehicleEntryKeys{});
   keys.regulator = key_facts(RegulatorEntryKeys{});
   keys.planner = key_facts(PlannerEntryKeys{});
-  keys.claim = key_facts(Claim{});
+  keys.criterion = key_facts(AcceptanceCriterion{});
   for (const std::string& name : vehicle_names()) {
-    keys.vehicle_params.push_back({name, key_facts(vehicle(name))});
-    keys.vehicle_models.push_back({name, facts_of(vehicle(name).model)});
+    keys.vehicle_params.push_back({name, key_facts(find_vehicle(name))});
+    keys.vehicle_models.push_back({name, facts_of(find_vehicle(name).model)});
   }
   for (const std::string& name : regulator_names())
-    keys.regulators.push_back({name, facts_of(regulator(name))});
+    keys.regulators.push_back({name, facts_of(find_regulator(name))});
   for (const PlannerEntry* entry : planners.entries())
     keys.planners.push_back({entry->name, parameters_of(*entry)});
   add_scenario_keys(keys);

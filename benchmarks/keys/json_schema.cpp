@@ -219,7 +219,7 @@ std::string suite_schema(const FileKeys& keys) {
   put(suite, "scenarios", list_of({{"anyOf", std::move(sources)}}));
   put(suite, "vehicles", list_of(vehicle_schema(keys)));
   put(suite, "planners", list_of(planner_schema(keys)));
-  put(suite, "claims", {{"type", "array"}, {"items", object_schema(keys.claim)}});
+  put(suite, "acceptance", {{"type", "array"}, {"items", object_schema(keys.criterion)}});
   return titled("Voronaut suite", std::move(suite)).dump(1) + "\n";
 }
 

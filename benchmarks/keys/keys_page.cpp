@@ -106,8 +106,8 @@ std::string keys_page(const FileKeys& keys) {
          "complete and check what is written:\n\n"
          "    # yaml-language-server: $schema=../schema/suite.json\n\n"
          "A file that says nothing of a key gets the default. Bounds are inclusive.\n\n" +
-         heading(2, "Suites") + with_sections(keys.suite, 3) + heading(3, "`claims`") +
-         "Each entry says what the results must show:\n\n" + table(keys.claim) +
+         heading(2, "Suites") + with_sections(keys.suite, 3) + heading(3, "`acceptance`") +
+         "Each entry says what the results must show:\n\n" + table(keys.criterion) +
          scenario_text(keys) + vehicle_text(keys) + planner_text(keys) + renamed_keys_text();
 }
 

@@ -67,11 +67,6 @@ class DumpFolder {
 
 }  // namespace
 
-double CallgrindCount::quantile(double q) const {
-  const double rank = std::ceil(q * static_cast<double>(runs.size()));
-  return runs[static_cast<std::size_t>(std::max(1.0, rank)) - 1];
-}
-
 bool valgrind_is_there() { return std::system("valgrind --version > /dev/null 2>&1") == 0; }
 
 std::optional<CallgrindCount> count_instructions(const std::string& self, const std::string& kernel,

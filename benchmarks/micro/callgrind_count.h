@@ -13,8 +13,6 @@ struct CallgrindCount {
   std::vector<double> runs;  // the instructions of each single run, ascending; if asked for
 
   double per_operation() const { return instructions / operations; }
-  // q of the single runs, 0 to 1.
-  double quantile(double q) const;
 };
 
 bool valgrind_is_there();

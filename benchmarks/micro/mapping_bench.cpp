@@ -2,10 +2,12 @@
 #include <cstdlib>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <benchmark/benchmark.h>
 
+#include "voronaut/benchmarks/micro/peers/boost_intersects.h"
 #include "voronaut/benchmarks/micro/peers/measured_scan.h"
 #include "voronaut/benchmarks/micro/peers/naive_map.h"
 #include "voronaut/benchmarks/micro/peers/occupancy_grid.h"
@@ -13,6 +15,7 @@
 #include "voronaut/benchmarks/results/mapped_logs.h"
 #include "voronaut/environments/random.h"
 #include "voronaut/environments/sensing/carmen_log.h"
+#include "voronaut/planners/mapping/points/convex_polygon.h"
 #include "voronaut/planners/mapping/obstacle_base.h"
 #ifdef VORONAUT_WITH_NANOFLANN
 #include "voronaut/benchmarks/micro/peers/nanoflann_map.h"
@@ -157,11 +160,53 @@ void register_maps() {
   register_on_forest("octomap_0.1m_hits", [] { return OctomapMap(false); });
   register_on_forest("octomap_0.1m_full", [] { return OctomapMap(true); });
 #endif
+  register_touching("voronaut",
+                    [](const auto& a, const auto& b) { return convex_polygons_touch(a, b); });
+  register_touching("boost_geometry", boost_intersects);
   register_merging("forest", 0.1, config.merge_distance_m);
   register_merging("dense_forest_wide_vehicle", 0.2, 2);
   register_growth("voronaut", {1'000, 3'000, 10'000, 100'000}, [=] { return OwnMap(config); });
   register_growth("naive_full_search", {1'000, 3'000, 10'000},
                   [=] { return NaiveMap(config.thinning_distance_m, config.link_distance_m); });
+}
+
+// Pairs of hulls whose boxes touch, as they come to the exact test.
+std::vector<std::pair<std::vector<Vec2>, std::vector<Vec2>>> hull_pairs(std::size_t corners) {
+  Random random(6);
+  const auto hull = [&] {
+    std::vector<Vec2> points;
+    const Vec2 middle(random.uniform(0, 2), random.uniform(0, 2));
+    for (std::size_t i = 0; i < corners; ++i)
+      points.push_back(middle + Vec2(random.normal(), random.normal()));
+    reduce_to_convex_hull(points);
+    return points;
+  };
+  std::vector<std::pair<std::vector<Vec2>, std::vector<Vec2>>> pairs;
+  while (pairs.size() < 1000) {
+    auto pair = std::pair(hull(), hull());
+    if (boxes_touch(bounding_box(pair.first), bounding_box(pair.second)))
+      pairs.push_back(std::move(pair));
+  }
+  return pairs;
+}
+
+template <class Touch>
+void register_touching(const std::string& name, const Touch& touch) {
+  const auto run = [touch](benchmark::State& state) {
+    const auto pairs = hull_pairs(static_cast<std::size_t>(state.range(0)));
+    std::size_t i = 0;
+    std::size_t touching = 0;
+    for (auto _ : state) {
+      const auto& [a, b] = pairs[i++ % pairs.size()];
+      touching += touch(a, b) ? 1 : 0;
+    }
+    state.counters["share_touching"] = static_cast<double>(touching) / static_cast<double>(i);
+  };
+  benchmark::RegisterBenchmark(("mapping/touching/" + name).c_str(), run)
+      ->ArgName("points")
+      ->Arg(4)
+      ->Arg(32)
+      ->Unit(benchmark::kNanosecond);
 }
 
 void register_lidar(const std::string& data) {

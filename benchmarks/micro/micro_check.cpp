@@ -11,6 +11,7 @@
 #include "voronaut/benchmarks/micro/callgrind_count.h"
 #include "voronaut/benchmarks/micro/count_page.h"
 #include "voronaut/benchmarks/micro/counted_kernels.h"
+#include "voronaut/reports/summary/estimate.h"
 
 // Counts the instructions of every kernel with callgrind and fails where one takes more than its
 // limit, where single scans take too many times the median, where scans cost more the more is
@@ -68,11 +69,12 @@ bool report(const CountedKernel& kernel, const CallgrindCount& count) {
               kernel.limit_instructions, kernel.goal_instructions, kernel.operation.c_str(),
               within ? "" : "   ABOVE");
   if (!count.runs.empty()) {
-    const double tail_ratio = count.quantile(0.99) / count.quantile(0.5);
+    const double tail_ratio =
+        quantile_of_sorted(count.runs, 0.99) / quantile_of_sorted(count.runs, 0.5);
     const bool tail_within = tail_ratio <= kLargestTailRatio;
     std::printf("%-24s single runs: median %.0f, p99 %.0f, largest %.0f; p99 / median %.1f%s\n", "",
-                count.quantile(0.5), count.quantile(0.99), count.runs.back(), tail_ratio,
-                tail_within ? "" : "   ABOVE");
+                quantile_of_sorted(count.runs, 0.5), quantile_of_sorted(count.runs, 0.99),
+                count.runs.back(), tail_ratio, tail_within ? "" : "   ABOVE");
     within = within && tail_within;
   }
   std::fflush(stdout);
@@ -122,7 +124,8 @@ int check(const std::string& self, const Options& options) {
     const auto count = count_instructions(self, kernel.name, kernel.each_run);
     if (!count) return 2;
     within = report(kernel, *count) && within;
-    if (kernel.known_scans > 0) growth.add(kernel.known_scans, count->quantile(0.5));
+    if (kernel.known_scans > 0)
+      growth.add(kernel.known_scans, quantile_of_sorted(count->runs, 0.5));
     counts.push_back({&kernel, *count});
   }
   const bool flat = growth.exponent() <= kLargestGrowthExponent;

@@ -15,7 +15,7 @@
 #include "voronaut/planners/navigation/plan_request.h"
 #include "voronaut/planners/navigation/shortcut.h"
 #include "voronaut/planners/voronoi/voronoi_router.h"
-#include "voronaut/reports/summary/statistics.h"
+#include "voronaut/reports/summary/estimate.h"
 
 // What a replan costs, planner beside planner: the same questions on the same maps through the same
 // exact checker (replan_course.h). Lengths are compared behind the executive's shortcut, which

@@ -3,9 +3,7 @@
 #include <chrono>
 #include <cstdio>
 #include <cstdlib>
-#include <fstream>
 #include <iostream>
-#include <limits>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -21,8 +19,11 @@
 #include "voronaut/benchmarks/static_planning/static_problem.h"
 #include "voronaut/benchmarks/static_planning/static_trial.h"
 #include "voronaut/benchmarks/trial/ompl_seed.h"
+#include "voronaut/environments/config/config_node.h"
+#include "voronaut/environments/formats/ompl_worlds.h"
 #include "voronaut/environments/random.h"
 #include "voronaut/environments/world.h"
+#include "voronaut/reports/summary/estimate.h"
 
 // RRTConnect on OMPL's circle queries through a suite of kind `static` and through
 // ompl::tools::Benchmark, with the same checker and the same seeds:
@@ -48,30 +49,15 @@ constexpr ProcessLimits kLimits;
 
 struct Circles {
   std::shared_ptr<const World> world;
-  std::vector<std::pair<Vec2, Vec2>> queries;
+  std::vector<ForeignQuery> queries;
 };
 
 Circles read(const std::string& folder) {
-  std::ifstream file(folder + "/circle_obstacles.txt");
-  std::string heading;
-  std::getline(file, heading);
-  std::getline(file, heading);
-  Shapes shapes;
-  Vec2 low = Vec2::Constant(std::numeric_limits<double>::max());
-  Vec2 high = -low;
-  double id = 0, x = 0, y = 0, r = 0;
-  while (file >> id >> x >> y >> r) {
-    shapes.circles.push_back({{x, y}, r});
-    low = low.cwiseMin(Vec2(x - r, y - r));
-    high = high.cwiseMax(Vec2(x + r, y + r));
-  }
-  Circles read{std::make_shared<const World>(Bounds{low, high}, shapes), {}};
-  std::ifstream queries(folder + "/circle_queries.txt");
-  std::string word;
-  Vec2 start, goal;
-  while (queries >> id >> word >> start.x() >> start.y() >> id >> word >> goal.x() >> goal.y())
-    read.queries.emplace_back(start, goal);
-  return read;
+  const std::string obstacles = folder + "/circle_obstacles.txt";
+  const std::string queries = folder + "/circle_queries.txt";
+  const ForeignWorld circles = parse_ompl_circles(read_text_file(obstacles), obstacles);
+  return {std::make_shared<const World>(*circles.bounds, circles.shapes),
+          parse_ompl_circle_queries(read_text_file(queries), queries)};
 }
 
 struct Run {
@@ -218,23 +204,15 @@ TrialSpec query_of(const Circles& circles, std::size_t index) {
   TrialSpec spec;
   spec.scenario.name = "query-" + std::to_string(index);
   spec.scenario.world = circles.world;
-  spec.scenario.start_world = circles.queries[index].first;
-  spec.scenario.goal_world = circles.queries[index].second;
+  spec.scenario.start_world = circles.queries[index].start;
+  spec.scenario.goal_world = circles.queries[index].goal;
   spec.scenario.goal_tolerance_m = 1e-3;
   spec.vehicle.planning_clearance_m = kClearance_m;
   spec.planner = {"RRTConnect", "RRTConnect", {}};
   return spec;
 }
 
-// Share 0.5 is the median: other work on the machine stretches single runs.
-double quantile(std::vector<double> values, double share) {
-  if (values.empty()) return 0;
-  const auto place =
-      values.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
-  std::nth_element(values.begin(), place, values.end());
-  return *place;
-}
-
+// Not the mean: other work on the machine stretches single runs.
 double median_us(const std::vector<Run>& runs, double Run::*time_us) {
   std::vector<double> values;
   values.reserve(runs.size());
@@ -274,10 +252,6 @@ struct Comparison {
 
 int compare(const std::string& folder, int runs, double motion_us) {
   const Circles circles = read(folder);
-  if (circles.queries.empty()) {
-    std::cerr << folder << ": no circle_queries.txt here\n";
-    return 2;
-  }
   Comparison comparison;
   for (std::size_t i = 0; i < circles.queries.size(); ++i) {
     const TrialSpec spec = query_of(circles, i);
@@ -299,5 +273,10 @@ int main(int argc, char** argv) {
     std::cerr << "usage: voronaut-static-against-ompl FOLDER [RUNS [MOTION_US]]\n";
     return 2;
   }
-  return voronaut::compare(argv[1], runs, motion_us);
+  try {
+    return voronaut::compare(argv[1], runs, motion_us);
+  } catch (const voronaut::ConfigError& error) {
+    std::cerr << error.what() << "\n";
+    return 2;
+  }
 }

@@ -5,30 +5,18 @@
 #include <cstdint>
 #include <sstream>
 #include <tuple>
-#include <type_traits>
 
 #include "voronaut/benchmarks/trial/sha256.h"
 #include "voronaut/environments/config/config_node.h"
+#include "voronaut/reports/record_columns.h"
 
 namespace voronaut {
 
 std::string deterministic_text(const RunRecord& record) {
   std::string text;
-  record.visit([&text](const char* name, const auto& value, ColumnKind kind) {
-    using Value = std::remove_cvref_t<decltype(value)>;
-    if (kind != ColumnKind::deterministic) return;
-    text.append(name).append("=");
-    if constexpr (std::is_same_v<Value, Outcome>) {
-      text += to_string(value);
-    } else if constexpr (std::is_same_v<Value, std::int64_t>) {
-      text += std::to_string(value);
-    } else if constexpr (std::is_same_v<Value, double>) {
-      if (!std::isnan(value)) text += number_text(value);
-    } else {
-      text += value;
-    }
-    text += "\n";
-  });
+  for (const RecordColumn& column : record_columns())
+    if (column.kind == ColumnKind::deterministic)
+      text.append(column.name).append("=").append(cell_text(record, column)).append("\n");
   return text;
 }
 
@@ -60,8 +48,8 @@ std::string flight_text(const RunRecord& r) {
                      std::to_string(r.repetition) + "\n" + std::string(to_string(r.outcome));
   for (const double number :
        {r.duration_s, r.path_length_m, r.shortest_length_m, r.shortest_at_clearance_m, r.path_ratio,
-        r.spl, r.clearance_min_m, r.clearance_mean_m, r.speed_mean_m_s, r.speed_max_m_s, r.end_x_m,
-        r.end_y_m})
+        r.spl, r.clearance_smallest_m, r.clearance_mean_m, r.speed_mean_m_s, r.speed_max_m_s,
+        r.end_x_m, r.end_y_m})
     text += "\n" + (std::isnan(number) ? std::string() : number_text(number));
   for (const std::int64_t count :
        {r.replans, r.state_checks, r.budget_stops, r.map_points, r.map_obstacles})

@@ -85,10 +85,12 @@ Json build_json() {
 
 }  // namespace
 
-SuiteConfig SuiteSource::read(const PlannerCatalog& planners) const {
+SuiteConfig SuiteSource::read(const PlannerCatalog& planners) {
+  FileSession session(files);
   SuiteConfig suite = read_suite(ConfigNode::parse(text, file), data_argument, planners);
   if (!seed.empty()) suite.seed = std::stoull(seed);
   if (!repetitions.empty()) suite.repetitions = std::stoi(repetitions);
+  if (files.empty()) files = session.read();
   return suite;
 }
 

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "voronaut/benchmarks/suite/suite_config.h"
+#include "voronaut/environments/config/file_session.h"
 
 namespace voronaut {
 
@@ -15,9 +16,12 @@ struct SuiteSource {
   std::string data_argument;
   std::string seed;         // replaces the suite's; empty: not given
   std::string repetitions;  // the same
+  // Copies of the files that it names, by absolute path: taken when it is read first, read from
+  // then on, so that it is the same suite wherever and whenever.
+  FileSession::Files files{};
 
   // Throws ConfigError, std::invalid_argument.
-  SuiteConfig read(const PlannerCatalog& planners) const;
+  SuiteConfig read(const PlannerCatalog& planners);
 };
 
 // The full configuration with every default, as JSON with a fixed order of keys.

@@ -1,5 +1,6 @@
 #include "voronaut/benchmarks/results/output_folder.h"
 
+#include <algorithm>
 #include <fstream>
 #include <ostream>
 #include <sstream>
@@ -28,9 +29,11 @@ struct Mismatch {
   bool program = false;
 };
 
-Mismatch compare(const fs::path& database, const std::string& identity) {
-  const ResultStore stored = ResultStore::open(database);
-  return {stored.meta("suite_identity") != identity, stored.meta("program_sha256") != program_id()};
+Mismatch compare(const ResultStore& stored, const ResultStore::Meta& meta) {
+  const auto differs = [&](const char* key) {
+    return stored.meta(key).value_or(meta.at(key)) != meta.at(key);
+  };
+  return {differs("suite_identity"), differs("program_sha256")};
 }
 
 fs::path free_name(const fs::path& folder) {
@@ -41,20 +44,45 @@ fs::path free_name(const fs::path& folder) {
   }
 }
 
-void settle_mismatch(const OutputFolder::Place& place, const Mismatch& mismatch,
-                     std::ostream& notes) {
-  if (!mismatch.suite && !mismatch.program) return;
-  const std::string what = mismatch.suite ? "another version of this suite" : "another build";
-  if (!place.chosen) {
-    const fs::path aside = free_name(place.folder);
-    fs::rename(place.folder, aside);
-    notes << "results of " << what << " moved to " << aside.string() << "\n";
-  } else if (mismatch.suite) {
-    throw std::invalid_argument(place.folder.string() + ": holds results of " + what +
-                                "; give another --out or remove it");
-  } else {
-    notes << place.folder.string() << ": holds results of " << what << ", which are kept\n";
+// Whether the results may be continued; if not, they are to be moved aside.
+bool may_continue(const OutputFolder::Place& place, const Mismatch& mismatch, std::ostream& notes) {
+  if (!mismatch.suite && !mismatch.program) return true;
+  if (!place.chosen) return false;
+  if (mismatch.suite)
+    throw std::invalid_argument(place.folder.string() +
+                                ": holds results of another version of this suite; give another "
+                                "--out or remove it");
+  notes << place.folder.string() << ": holds results of another build, which are kept\n";
+  return true;
+}
+
+void move_aside(const fs::path& folder, const Mismatch& mismatch, std::ostream& notes) {
+  const fs::path aside = free_name(folder);
+  fs::rename(folder, aside);
+  notes << "results of " << (mismatch.suite ? "another version of this suite" : "another build")
+        << " moved to " << aside.string() << "\n";
+}
+
+// Of writers that were killed.
+void remove_leftovers(const fs::path& folder) {
+  for (const auto& entry : fs::directory_iterator(folder)) {
+    const std::string name = entry.path().filename().string();
+    const auto end = name.find_last_not_of("0123456789");
+    if (end != std::string::npos && name.substr(0, end + 1).ends_with(".part") &&
+        entry.is_regular_file())
+      fs::remove(entry.path());
   }
+}
+
+ResultStore::Meta meta_of(const SuiteSource& source, const SuiteConfig& suite) {
+  const std::string data = DataLocation::find(source.data_argument).folder;
+  return {{"suite_identity", suite_identity(suite)},
+          {"program_sha256", program_id()},
+          {"suite_file", fs::absolute(source.file).lexically_normal().string()},
+          {"suite_text", source.text},
+          {"data", data.empty() ? "" : fs::absolute(data).string()},
+          {"seed", source.seed},
+          {"repetitions", std::to_string(suite.repetitions)}};
 }
 
 std::string text_of(const fs::path& file) {
@@ -77,33 +105,50 @@ std::string commit_in(const std::string& manifest) {
 
 OutputFolder OutputFolder::prepare(const Place& place, const SuiteSource& source,
                                    const SuiteConfig& suite, std::ostream& notes) {
-  const std::string identity = suite_identity(suite);
-  const fs::path database = place.folder / kDatabase;
   if (fs::exists(place.folder) && !fs::is_directory(place.folder))
     throw std::invalid_argument(place.folder.string() + ": is no folder");
-  if (fs::exists(database)) settle_mismatch(place, compare(database, identity), notes);
-  fs::create_directories(place.folder);
-  OutputFolder folder(place.folder, ResultStore::create(database));
-  folder.store_.set_meta("suite_identity", identity);
-  folder.store_.set_meta("program_sha256", program_id());
-  folder.store_.set_meta("suite_file", fs::absolute(source.file).lexically_normal().string());
-  folder.store_.set_meta("suite_text", source.text);
-  const std::string data = DataLocation::find(source.data_argument).folder;
-  folder.store_.set_meta("data", data.empty() ? "" : fs::absolute(data).string());
-  folder.store_.set_meta("seed", source.seed);
-  folder.store_.set_meta("repetitions", std::to_string(suite.repetitions));
-  return folder;
+  const ResultStore::Meta meta = meta_of(source, suite);
+  while (true) {
+    fs::create_directories(place.folder);
+    FolderLock lock(place.folder);
+    remove_leftovers(place.folder);
+    ResultStore store = ResultStore::create(place.folder / kDatabase, meta);
+    const Mismatch mismatch = compare(store, meta);
+    if (may_continue(place, mismatch, notes)) {
+      store.set_meta(meta);
+      store.keep_files(source.files);
+      return {place.folder, std::move(lock), std::move(store)};
+    }
+    move_aside(place.folder, mismatch, notes);
+  }
 }
 
 OutputFolder OutputFolder::open(const fs::path& folder) {
   if (!fs::exists(folder / kDatabase))
     throw std::invalid_argument(folder.string() + ": no results here (no " + kDatabase + ")");
-  return {folder, ResultStore::open(folder / kDatabase)};
+  return {folder, std::nullopt, ResultStore::open(folder / kDatabase)};
 }
 
 SuiteSource OutputFolder::source() const {
   const auto meta = [&](const char* key) { return store_.meta(key).value_or(""); };
-  return {meta("suite_file"), meta("suite_text"), meta("data"), meta("seed"), meta("repetitions")};
+  return {meta("suite_file"), meta("suite_text"),  meta("data"),
+          meta("seed"),       meta("repetitions"), store_.kept_files()};
+}
+
+std::string OutputFolder::note_on_repetitions() const {
+  const std::string asked = store_.meta("repetitions").value_or("");
+  if (asked.empty()) return {};
+  std::size_t beyond = 0;
+  std::int64_t most = 0;
+  const auto records = store_.records();
+  for (const RunRecord& record : records) {
+    most = std::max(most, record.repetition + 1);
+    beyond += record.repetition >= std::stoll(asked) ? 1 : 0;
+  }
+  if (beyond == 0) return {};
+  return "all " + std::to_string(records.size()) + " stored trials are shown, " +
+         std::to_string(beyond) + " of them beyond the " + asked + " repetitions asked for last (" +
+         std::to_string(most) + " are stored)\n";
 }
 
 std::string OutputFolder::complete_id(const std::string& beginning) const {

@@ -6,13 +6,15 @@
 #include <string>
 #include <vector>
 
+#include "voronaut/benchmarks/results/folder_lock.h"
 #include "voronaut/benchmarks/results/manifest.h"
 #include "voronaut/reports/store/store.h"
 #include "voronaut/reports/summary/comparison.h"
 
 namespace voronaut {
 
-// A folder of results: results.db, results.csv, report.html, manifest.json.
+// A folder of results: results.db, results.csv, report.html, manifest.json. The database holds
+// copies of the scenario and world files too, so the folder is whole without them.
 class OutputFolder {
  public:
   // Where the results of a run go.
@@ -21,10 +23,12 @@ class OutputFolder {
     bool chosen = false;  // named by the user; else it is the suite's own default
   };
 
-  // Makes the folder or continues the one that is there. Results of another version of the suite
-  // are an error (std::invalid_argument) in a folder that the user chose and are moved aside in the
-  // default one; so are those of another program in the default one, in a chosen one they are
-  // continued with a note. Notes are lines on `notes`.
+  // Makes the folder or continues the one that is there, also one that was killed, or ran out of
+  // disk, while it was made. It is locked as long as the object lives; std::invalid_argument says
+  // who else holds it. Leftover temporary files (*.part) are deleted. Results of another version of
+  // the suite are an error (std::invalid_argument) in a folder that the user chose and are moved
+  // aside in the default one; so are those of another program in the default one, in a chosen one
+  // they are continued with a note. Notes are lines on `notes`.
   static OutputFolder prepare(const Place& place, const SuiteSource& source,
                               const SuiteConfig& suite, std::ostream& notes);
   // One that is there. Throws std::invalid_argument, StoreError.
@@ -33,6 +37,9 @@ class OutputFolder {
   ResultStore& store() { return store_; }
   const ResultStore& store() const { return store_; }
   SuiteSource source() const;  // what its trials are made of
+  // What a summary of all records shows if the last run asked for fewer repetitions than are
+  // stored, as a line; else empty.
+  std::string note_on_repetitions() const;
   // The one trial id that begins so. Throws std::invalid_argument if none or several do.
   std::string complete_id(const std::string& beginning) const;
 
@@ -48,10 +55,11 @@ class OutputFolder {
   RunComparison compare_with(const OutputFolder& before) const;
 
  private:
-  OutputFolder(std::filesystem::path folder, ResultStore store)
-      : folder_(std::move(folder)), store_(std::move(store)) {}
+  OutputFolder(std::filesystem::path folder, std::optional<FolderLock> lock, ResultStore store)
+      : folder_(std::move(folder)), lock_(std::move(lock)), store_(std::move(store)) {}
 
   std::filesystem::path folder_;
+  std::optional<FolderLock> lock_;  // of the run that writes it
   ResultStore store_;
 };
 

@@ -5,6 +5,8 @@
 #include <stdexcept>
 #include <type_traits>
 
+#include "voronaut/reports/record_columns.h"
+
 namespace voronaut {
 
 namespace {
@@ -13,14 +15,14 @@ class Packer {
  public:
   std::string bytes;
 
-  void operator()(const char*, const std::string& value, ColumnKind) { text(value); }
-  void operator()(const char*, const std::int64_t& value, ColumnKind) {
+  void operator()(const RecordColumn&, const std::string& value) { text(value); }
+  void operator()(const RecordColumn&, const std::int64_t& value) {
     word(static_cast<std::uint64_t>(value));
   }
-  void operator()(const char*, const double& value, ColumnKind) {
+  void operator()(const RecordColumn&, const double& value) {
     word(std::bit_cast<std::uint64_t>(value));
   }
-  void operator()(const char*, const Outcome& value, ColumnKind) { text(to_string(value)); }
+  void operator()(const RecordColumn&, const Outcome& value) { text(to_string(value)); }
 
   void text(std::string_view value) {
     word(value.size());
@@ -39,12 +41,12 @@ class Unpacker {
  public:
   explicit Unpacker(std::string_view bytes) : rest_(bytes) {}
 
-  void operator()(const char*, std::string& value, ColumnKind) { value = text(); }
-  void operator()(const char*, std::int64_t& value, ColumnKind) {
+  void operator()(const RecordColumn&, std::string& value) { value = text(); }
+  void operator()(const RecordColumn&, std::int64_t& value) {
     value = static_cast<std::int64_t>(word());
   }
-  void operator()(const char*, double& value, ColumnKind) { value = std::bit_cast<double>(word()); }
-  void operator()(const char*, Outcome& value, ColumnKind) { value = outcome_from_string(text()); }
+  void operator()(const RecordColumn&, double& value) { value = std::bit_cast<double>(word()); }
+  void operator()(const RecordColumn&, Outcome& value) { value = outcome_from_string(text()); }
 
   std::string text() { return std::string(take(word())); }
   bool at_end() const { return rest_.empty(); }
@@ -73,7 +75,7 @@ class Unpacker {
 
 std::string pack(const PackedTrial& trial) {
   Packer packer;
-  trial.record.visit(packer);
+  visit_columns(trial.record, packer);
   packer.text(trial.trace_blob);
   return std::move(packer.bytes);
 }
@@ -81,7 +83,7 @@ std::string pack(const PackedTrial& trial) {
 PackedTrial unpack(std::string_view bytes) {
   PackedTrial trial;
   Unpacker unpacker(bytes);
-  trial.record.visit(unpacker);
+  visit_columns(trial.record, unpacker);
   trial.trace_blob = unpacker.text();
   if (!unpacker.at_end()) throw std::invalid_argument("a packed trial has bytes left over");
   return trial;

@@ -1,9 +1,12 @@
 #include "voronaut/benchmarks/runner/runner.h"
 
+#include <deque>
 #include <stdexcept>
 
 #include "voronaut/benchmarks/episode/episode_trace.h"
+#include "voronaut/benchmarks/isolation/flight_marks.h"
 #include "voronaut/benchmarks/isolation/process_pool.h"
+#include "voronaut/benchmarks/runner/isolated_world.h"
 #include "voronaut/benchmarks/runner/packed_trial.h"
 #include "voronaut/benchmarks/suite/suite_trials.h"
 #include "voronaut/environments/config/config_node.h"
@@ -29,6 +32,8 @@ Outcome outcome_of(ChildReport::End end) {
       return Outcome::memory;
     case ChildReport::End::cpu_limit:
     case ChildReport::End::wall_limit:
+    case ChildReport::End::output_limit:
+    case ChildReport::End::killed:
       return Outcome::killed;
     default:
       return Outcome::crash;
@@ -53,7 +58,16 @@ PackedTrial result_of(const TrialSpec& spec, const ChildReport& report,
   return result;
 }
 
-// Hands out what is missing as jobs and takes in what they bring back.
+// What cannot be known of a single flight.
+std::string after_second_flight(std::string reason) {
+  return reason + ", which no limit sent, and so when it was flown again";
+}
+
+constexpr const char* kTookTheRunner =
+    "the runner ended while this trial flew, and again when it flew alone";
+
+// Hands out what is missing as jobs and takes in what they bring back. What somebody killed, and
+// what was in flight when an earlier runner died, is flown last and with nothing beside it.
 class SuiteRun {
  public:
   SuiteRun(const SuiteConfig& suite, const FlyTrial& fly, ShortestReferences& references,
@@ -63,43 +77,92 @@ class SuiteRun {
         references_(references),
         store_(store),
         progress_(progress),
-        trials_(suite) {}
+        marks_(store.file().string() + "-in-flight"),
+        trials_(suite, rehearse_in_child()) {}
 
   RunReport report;
 
   std::optional<ProcessPool::Job> next() {
     while (auto planned = trials_.next()) {
       progress_.tick(ChildProcess::Clock::now());
-      if (store_.has(planned->spec.trial_id)) {
+      TrialSpec& spec = planned->spec;
+      const auto suspicion = marks_.suspicion(spec.trial_id);
+      if (store_.has(spec.trial_id)) {
         ++report.stored;
         progress_.trial_stored();
+        marks_.stored(spec.trial_id);
       } else if (!planned->refusal.empty()) {
-        keep({record_of_failure(planned->spec, Outcome::invalid, planned->refusal), {}});
+        keep({record_of_failure(spec, Outcome::invalid, planned->refusal), {}});
+      } else if (const std::string why = add_references(spec); !why.empty()) {
+        keep({record_of_failure(spec, Outcome::invalid, why), {}});
+      } else if (suspicion == FlightMarks::Suspicion::culprit) {
+        keep({record_of_failure(spec, Outcome::crash, kTookTheRunner), {}});
+      } else if (suspicion == FlightMarks::Suspicion::suspect) {
+        draw_world(spec);
+        again_.push_back({std::make_shared<const TrialSpec>(std::move(spec)), Flight::suspect});
       } else {
-        return job(std::move(planned->spec));
+        draw_world(spec);
+        return job({std::make_shared<const TrialSpec>(std::move(spec)), Flight::first});
       }
     }
     return std::nullopt;
   }
 
+  // One at a time.
+  std::optional<ProcessPool::Job> next_again() {
+    if (again_.empty()) return std::nullopt;
+    const Pending pending = again_.front();
+    again_.pop_front();
+    return job(pending);
+  }
+
  private:
-  ProcessPool::Job job(TrialSpec&& pending) {
-    references_.add_to(pending);
-    if (pending.world_id != drawn_world_) {
-      store_.insert_world(trace_world(pending.scenario, pending.world_id));
-      drawn_world_ = pending.world_id;
+  enum class Flight { first, suspect, second };
+
+  struct Pending {
+    std::shared_ptr<const TrialSpec> spec;
+    Flight flight;
+  };
+
+  // Why there are none, empty if there are.
+  std::string add_references(TrialSpec& spec) {
+    try {
+      references_.add_to(spec);
+      return {};
+    } catch (const std::runtime_error& error) {
+      return error.what();
     }
-    const auto spec = std::make_shared<const TrialSpec>(std::move(pending));
-    return {[this, spec] { return fly_and_pack(*spec, fly_, suite_.traces); },
-            [this, spec](const ChildReport& ended) {
-              keep(result_of(*spec, ended, suite_.limits.process));
-            }};
+  }
+
+  void draw_world(const TrialSpec& spec) {
+    if (spec.world_id == drawn_world_) return;
+    store_.insert_world(trace_world(spec.scenario, spec.world_id));
+    drawn_world_ = spec.world_id;
+  }
+
+  ProcessPool::Job job(const Pending& pending) {
+    marks_.takes_off(pending.spec->trial_id, pending.flight == Flight::suspect);
+    return {[this, pending] { return fly_and_pack(*pending.spec, fly_, suite_.traces); },
+            [this, pending](const ChildReport& ended) { take(pending, ended); }};
+  }
+
+  void take(const Pending& pending, const ChildReport& ended) {
+    marks_.landed(pending.spec->trial_id);
+    const bool killed = ended.end == ChildReport::End::killed;
+    if (killed && pending.flight != Flight::second) {
+      again_.push_back({pending.spec, Flight::second});
+      return;
+    }
+    PackedTrial result = result_of(*pending.spec, ended, suite_.limits.process);
+    if (killed) result.record.reason = after_second_flight(result.record.reason);
+    keep(result);
   }
 
   void keep(const PackedTrial& result) {
     store_.insert_with_blob(result.record, result.trace_blob);
+    marks_.stored(result.record.trial_id);
     ++report.done;
-    progress_.trial_done(is_failure(result.record.outcome));
+    progress_.trial_done(entry_of(result.record.outcome).cut_off);
   }
 
   const SuiteConfig& suite_;
@@ -107,7 +170,9 @@ class SuiteRun {
   ShortestReferences& references_;
   ResultStore& store_;
   Progress& progress_;
+  FlightMarks marks_;
   SuiteTrials trials_;
+  std::deque<Pending> again_;
   std::string drawn_world_;
 };
 
@@ -116,23 +181,29 @@ class SuiteRun {
 RunReport run_suite(const SuiteConfig& suite, const FlyTrial& fly, std::size_t jobs,
                     ShortestReferences& references, ResultStore& store, Progress& progress) {
   SuiteRun run(suite, fly, references, store, progress);
-  ProcessPool pool(jobs, suite.limits.process, ChildProcess::Streams::silent,
-                   [&] { progress.tick(ChildProcess::Clock::now()); });
-  run.report.interrupted = pool.run([&] { return run.next(); }) == ProcessPool::End::interrupted;
+  const auto tick = [&] { progress.tick(ChildProcess::Clock::now()); };
+  const ChildProcess::Setup setup{.read_only = {store.file().parent_path()}};
+  ProcessPool together(jobs, suite.limits.process, setup, tick);
+  ProcessPool alone(1, suite.limits.process, setup, tick);
+  run.report.interrupted =
+      together.run([&] { return run.next(); }) == ProcessPool::End::interrupted ||
+      alone.run([&] { return run.next_again(); }) == ProcessPool::End::interrupted;
+  store.restore_at_path();
   progress.finish(ChildProcess::Clock::now());
   return run.report;
 }
 
 RunRecord run_alone(const TrialSpec& spec, const TrialLimits& limits, const FlyTrial& fly) {
-  const ChildReport ended =
-      run_in_child([&] { return fly_and_pack(spec, fly, TraceKeeping::none); }, limits.process,
-                   ChildProcess::Streams::inherited);
-  return result_of(spec, ended, limits.process).record;
-}
-
-bool is_failure(Outcome outcome) {
-  return outcome == Outcome::crash || outcome == Outcome::killed || outcome == Outcome::memory ||
-         outcome == Outcome::invalid;
+  const auto flown = [&] {
+    return run_in_child([&] { return fly_and_pack(spec, fly, TraceKeeping::none); }, limits.process,
+                        {.streams = ChildProcess::Streams::inherited});
+  };
+  const ChildReport first = flown();
+  if (first.end != ChildReport::End::killed) return result_of(spec, first, limits.process).record;
+  const ChildReport second = flown();
+  RunRecord record = result_of(spec, second, limits.process).record;
+  if (second.end == ChildReport::End::killed) record.reason = after_second_flight(record.reason);
+  return record;
 }
 
 RunRecord record_of_failure(const TrialSpec& spec, Outcome outcome, const std::string& reason) {

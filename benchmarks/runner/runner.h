@@ -22,16 +22,16 @@ struct RunReport {
 };
 
 // Runs what the store lacks of a suite, `jobs` trials at once, each in its own process under the
-// suite's limits. Every trial becomes a row as soon as it has ended, whatever became of it. SIGINT
-// and SIGTERM end the run early; a run that was ended in any way is completed by the next.
+// suite's limits, with the folder of the store read-only to it where the system allows that. Every
+// trial becomes a row as soon as it has ended, whatever became of it or, before it began, of its
+// world and its references; what somebody killed is flown once more at the end. SIGINT and SIGTERM
+// end the run early; a run that was ended in any way is completed by the next. One runner works on
+// a store at a time.
 RunReport run_suite(const SuiteConfig& suite, const FlyTrial& fly, std::size_t jobs,
                     ShortestReferences& references, ResultStore& store, Progress& progress);
 
 // The same for one trial, apart from any store. What the planner prints stays visible.
 RunRecord run_alone(const TrialSpec& spec, const TrialLimits& limits, const FlyTrial& fly);
-
-// Outcomes that say that something is wrong with the planner or the suite, not how well it flew.
-bool is_failure(Outcome outcome);
 
 // The row of a trial that did not come back by itself.
 RunRecord record_of_failure(const TrialSpec& spec, Outcome outcome, const std::string& reason);

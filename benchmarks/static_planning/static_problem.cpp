@@ -48,8 +48,8 @@ class TrueChecker : public ob::StateValidityChecker {
     specs_.clearanceComputationType = ob::StateValidityCheckerSpecs::EXACT;
   }
   bool isValid(const ob::State* state) const override {
-    return si_->satisfiesBounds(state) &&
-           truth_.place_is_clear(position_of(*si_->getStateSpace(), state));
+    const Vec2 p = position_of(*si_->getStateSpace(), state);
+    return si_->satisfiesBounds(state) && p.allFinite() && truth_.place_is_clear(p);
   }
   double clearance(const ob::State* state) const override {
     return truth_.clearance_m(position_of(*si_->getStateSpace(), state));
@@ -73,6 +73,8 @@ StaticProblem::StaticProblem(const Scenario& scenario, double clearance_min_m)
 }
 
 StaticProblem::~StaticProblem() = default;
+
+const KnownGeometry& StaticProblem::truth() const { return *truth_; }
 
 std::uint64_t StaticProblem::state_checks() const { return truth_->checks; }
 

@@ -22,6 +22,10 @@ class StaticProblem {
   const ompl::base::ProblemDefinitionPtr& definition() const { return problem_.definition(); }
   std::uint64_t state_checks() const;  // states and motions checked so far
 
+  // What a path is judged by. Of a problem that no planner was given: theirs may be changed.
+  const PathRequest& request() const { return problem_.request(); }
+  const KnownGeometry& truth() const;
+
  private:
   class Truth;
 

@@ -1,5 +1,6 @@
 #include "voronaut/benchmarks/static_planning/static_trace.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "voronaut/benchmarks/episode/search_trace.h"
@@ -34,9 +35,11 @@ Trace static_trace(const TrialSpec& spec, const Path& path,
   }
 
   const double length_m = path.empty() ? 0 : path.length_m();
-  const auto steps = static_cast<int>(std::ceil(length_m / (kWalk_m_s * kStep_s)));
+  const double step_m = std::max(kWalk_m_s * kStep_s, length_m / (kMostStaticFrames - 1));
+  const auto steps =
+      std::min(static_cast<int>(std::ceil(length_m / step_m)), kMostStaticFrames - 1);
   for (int i = 0; i <= steps; ++i) {
-    const double at_m = std::min(i * kWalk_m_s * kStep_s, length_m);
+    const double at_m = std::min(i * step_m, length_m);
     const Vec2 p = path.empty() ? spec.scenario.start_world : path.point_at(at_m);
     const Vec2 along = path.empty() ? Vec2(1, 0) : path.direction_at(at_m);
     TraceFrame& frame = trace.frames.emplace_back();

@@ -3,16 +3,12 @@
 #include <chrono>
 #include <memory>
 
-#include <ompl/geometric/PathGeometric.h>
-
 #include "voronaut/benchmarks/episode/metrics.h"
 #include "voronaut/benchmarks/static_planning/static_problem.h"
 #include "voronaut/benchmarks/static_planning/static_trace.h"
 #include "voronaut/benchmarks/trial/ompl_seed.h"
 #include "voronaut/environments/world.h"
 #include "voronaut/planners/catalog/planner_insight.h"
-#include "voronaut/planners/problem/path_conversion.h"
-#include "voronaut/planners/problem/planar_state.h"
 #include "voronaut/planners/problem/planning_budget.h"
 #include "voronaut/planners/problem/search_graph.h"
 #include "voronaut/planners/problem/solution_path.h"
@@ -23,8 +19,6 @@ namespace ob = ompl::base;
 
 namespace {
 
-constexpr double kSamePlace_m = 1e-9;
-
 // One solve, everything made anew.
 struct StaticSolve {
   StaticSolve(const TrialSpec& spec, const PlannerCatalog& planners, bool watch)
@@ -32,7 +26,7 @@ struct StaticSolve {
     planner = planners.find(spec.planner.name)->make(problem.space_information());
     set_parameters(*planner, spec.planner.name, spec.planner.params);
     planner->setProblemDefinition(problem.definition());
-    planner->setup();
+    set_up(*planner, spec.flight.budget.stop);
     const BudgetMeter meter(spec.flight.budget, [this] { return problem.state_checks(); });
     const auto start = std::chrono::steady_clock::now();
     report = solve_within(*planner, meter, watch ? &improvements : nullptr);
@@ -50,30 +44,19 @@ struct StaticSolve {
   std::uint64_t checks = 0;
 };
 
-// What is wrong with a path that claims to lead from the start to the goal, empty if nothing is.
-std::string flaw_of(const ompl::geometric::PathGeometric& path, const StaticSolve& solved,
-                    const Scenario& scenario) {
-  const ob::StateSpace& space = *solved.problem.space_information()->getStateSpace();
-  const Vec2 first = position_of(space, path.getState(0));
-  const auto last = static_cast<unsigned>(path.getStateCount() - 1);
-  if ((first - scenario.start_world).norm() > kSamePlace_m) return "its path begins elsewhere";
-  if (!solved.problem.definition()->getGoal()->isSatisfied(path.getState(last)))
-    return "its path does not end at the goal";
-  return {};
-}
-
-void judge(RunRecord& record, const StaticSolve& solved, const Scenario& scenario) {
+void judge(RunRecord& record, const StaticSolve& solved, const SolutionPath& path,
+           const StaticProblem& unseen) {
   const ob::PlannerStatus& status = solved.report.status;
   const auto* insight = dynamic_cast<const PlannerInsight*>(solved.planner.get());
   record.reason = status.asString();
-  if (const auto* path = path_to_goal(status, *solved.problem.definition())) {
-    const std::string flaw = flaw_of(*path, solved, scenario);
-    record.outcome = !flaw.empty()   ? Outcome::timeout
-                     : path->check() ? Outcome::goal_reached
-                                     : Outcome::collision;
-    if (!flaw.empty()) record.reason += ", but " + flaw;
-    if (flaw.empty() && status == ob::PlannerStatus::APPROXIMATE_SOLUTION)
+  if (path.to_goal) {
+    const bool clear = is_clear(path.p_world, unseen.request(), unseen.truth());
+    record.outcome = clear ? Outcome::goal_reached : Outcome::collision;
+    if (status == ob::PlannerStatus::APPROXIMATE_SOLUTION)
       record.reason += ", but its path ends at the goal";
+  } else if (!path.flaw.empty()) {
+    record.outcome = Outcome::timeout;
+    record.reason += ", but " + path.flaw;
   } else if (insight != nullptr && insight->proved_no_path()) {
     record.outcome = Outcome::infeasible;
   } else if (status == ob::PlannerStatus::INVALID_START ||
@@ -85,14 +68,9 @@ void judge(RunRecord& record, const StaticSolve& solved, const Scenario& scenari
 }
 
 // The path as if a vehicle had stood at each vertex.
-std::vector<Tick> vertices(const StaticSolve& solved, const World& world) {
+std::vector<Tick> vertices(const std::vector<Vec2>& path_world, const World& world) {
   std::vector<Tick> ticks;
-  const ob::PathPtr& found = solved.problem.definition()->getSolutionPath();
-  if (!found) return ticks;
-  const auto& path = *found->as<ompl::geometric::PathGeometric>();
-  const ob::StateSpace& space = *solved.problem.space_information()->getStateSpace();
-  for (unsigned i = 0; i < path.getStateCount(); ++i) {
-    const Vec2 p = position_of(space, path.getState(i));
+  for (const Vec2& p : path_world) {
     Tick& tick = ticks.emplace_back();
     tick.state.p_world = {p.x(), p.y(), 0};
     tick.state.v_world.setZero();
@@ -102,30 +80,20 @@ std::vector<Tick> vertices(const StaticSolve& solved, const World& world) {
   return ticks;
 }
 
-RunRecord record_of(const TrialSpec& spec, const StaticSolve& solved) {
+RunRecord record_of(const TrialSpec& spec, const StaticSolve& solved, const SolutionPath& found,
+                    const StaticProblem& unseen) {
   RunRecord record = record_before_flight(spec);
-  judge(record, solved, spec.scenario);
+  judge(record, solved, found, unseen);
   record.replans = 1;
   record.state_checks = static_cast<std::int64_t>(solved.checks);
   std::array<std::int64_t, kSolveEnds> ends{};
   ends[static_cast<std::size_t>(solved.report.end)] = 1;
   add_solve_ends(record, ends);
   record.planning_time_us_mean = solved.time_us;
-  const std::vector<Tick> path = vertices(solved, *spec.scenario.world);
-  const bool success = record.outcome == Outcome::goal_reached;
+  const std::vector<Tick> path = vertices(found.p_world, *spec.scenario.world);
   record.spl = 0;
   if (path.empty()) return record;
-  record.path_length_m = path_length_m(path);
-  record.clearance_min_m = clearance_min_m(path);
-  record.clearance_mean_m = clearance_mean_m(path);
-  record.end_x_m = path.back().state.p_world.x();
-  record.end_y_m = path.back().state.p_world.y();
-  record.spl = spl(success, record.shortest_length_m, record.path_length_m);
-  if (success) {
-    // As in flight: a path may end at the goal's tolerance, the rest of the way counts.
-    const double left_m = (path.back().state.p_world.head<2>() - spec.scenario.goal_world).norm();
-    record.path_ratio = (record.path_length_m + left_m) / record.shortest_length_m;
-  }
+  add_path(record, path, spec.scenario);
   record.state_digest = state_digest(path);
   return record;
 }
@@ -143,14 +111,14 @@ TrialResult run_static_trial(const TrialSpec& spec, const PlannerCatalog& planne
   seed_ompl(spec.planner_seed);
   StaticSolve solved(spec, planners, keep_trace);
 
-  TrialResult result{record_of(spec, solved), std::nullopt};
+  const StaticProblem unseen(spec.scenario, spec.vehicle.planning_clearance_m);
+  const SolutionPath found =
+      solution_path(solved.report.status, *solved.problem.definition(),
+                    *unseen.space_information()->getStateSpace(), unseen.request(), unseen.truth());
+  TrialResult result{record_of(spec, solved, found, unseen), std::nullopt};
   if (!keep_trace) return result;
-  Path path;
-  if (const ob::PathPtr& found = solved.problem.definition()->getSolutionPath())
-    path = to_path(*found->as<ompl::geometric::PathGeometric>(),
-                   *solved.problem.space_information()->getStateSpace());
   result.trace = static_trace(
-      spec, path, solved.improvements,
+      spec, Path::through(found.p_world), solved.improvements,
       search_graph(*solved.planner, *solved.problem.space_information()->getStateSpace()));
   return result;
 }

@@ -11,9 +11,10 @@ namespace voronaut {
 // process out of the second, which is seeded anew and measured. Who crashes in either has crashed.
 // In the row:
 //
-//   outcome         goal_reached: a path to the goal that the check accepts (solution_path.h);
-//                   collision: one that it does not; infeasible: proved; invalid: start or goal;
-//                   timeout: no path, or one that leads elsewhere
+//   outcome         goal_reached: a path to the goal that is clear, judged by a problem of its own
+//                   that no planner was given (path_request.h); collision: one that is not;
+//                   infeasible: proved; invalid: start or goal; timeout: no path, or one that leads
+//                   elsewhere
 //   path_*, spl     of the path found; clearance_* at its vertices
 //   planning_time_us_mean   wall time of solve()
 //   state_digest    over the vertices of the path

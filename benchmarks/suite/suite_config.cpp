@@ -19,9 +19,12 @@ std::string read_name(const ConfigNode& node) {
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '-' ||
            c == '_' || c == '.';
   };
-  if (name.empty() || name.front() == '.' || !std::all_of(name.begin(), name.end(), plain))
-    throw node.error("expected a name of letters, digits, '-', '_' and '.', got " +
-                     in_quotes(name));
+  constexpr std::size_t kLongest = 100;
+  if (name.empty() || name.size() > kLongest || name.front() == '.' ||
+      !std::all_of(name.begin(), name.end(), plain))
+    throw node.error("expected a name of at most " + std::to_string(kLongest) +
+                     " letters, digits, '-', '_' and '.', got " +
+                     in_quotes(name.substr(0, kLongest)));
   return name;
 }
 
@@ -115,9 +118,9 @@ SuiteConfig read_suite(const ConfigNode& root, const std::string& data_argument,
   read_contents(root, data_argument, planners, suite);
   if (suite.kind == TrialKind::flown)
     for (const VehicleEntry& vehicle : suite.vehicles) require_able(root, suite, vehicle);
-  if (const auto claims = root.find("claims"))
-    for (const ConfigNode& entry : claims->items())
-      suite.claims.push_back(read_claim(entry, suite));
+  if (const auto acceptance = root.find("acceptance"))
+    for (const ConfigNode& entry : acceptance->items())
+      suite.acceptance.push_back(read_criterion(entry, suite));
   return suite;
 }
 

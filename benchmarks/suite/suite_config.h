@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "voronaut/benchmarks/isolation/child_process.h"
-#include "voronaut/benchmarks/suite/claim.h"
+#include "voronaut/benchmarks/suite/acceptance_criterion.h"
 #include "voronaut/benchmarks/trial/trial.h"
 #include "voronaut/environments/config/config_node.h"
 #include "voronaut/environments/scenario/scenario_spec.h"
@@ -49,7 +49,7 @@ struct SuiteConfig {
   FlightConfig flight;
   TrialLimits limits;
   TraceKeeping traces = TraceKeeping::all;
-  std::vector<Claim> claims;
+  std::vector<AcceptanceCriterion> acceptance;
 
   template <class Visitor>
   void visit(Visitor& v) {
@@ -73,7 +73,7 @@ struct SuiteConfig {
               {"failures", TraceKeeping::failures},
               {"none", TraceKeeping::none}},
              "Which flights are kept for the replay; failures: whatever did not reach the goal");
-    v.form("claims", "[claim, ...]", "What the results must show");
+    v.form("acceptance", "[criterion, ...]", "What the results must show");
   }
 };
 
@@ -85,7 +85,7 @@ struct SuiteConfig {
 //              model: {...}, regulator: pd_rate | {name: pd_rate, params: {...}}}]
 //   planners: [RRTConnect, {name: RRTConnect, label: greedy, params: {range: 0.5},
 //              navigation: {...}}]   its own instead of the suite's, key by key
-//   claims: [{planner: RRTConnect, outcome_share_min: 1}]   keys of Claim
+//   acceptance: [{planner: RRTConnect, goal_reached_share_min: 1}]   see acceptance_criterion.h
 //   and the other keys of SuiteConfig
 //
 // and everything it names. A cart drives at height 0 whatever the scenario's heights; its suites
@@ -99,8 +99,8 @@ SuiteConfig read_suite(const ConfigNode& root, const std::string& data_argument,
 VehicleEntry read_vehicle(const ConfigNode& entry);
 PlannerSpec read_planner(const ConfigNode& entry, const PlannerCatalog& planners,
                          const NavigationConfig& navigation);
-// One entry of `claims`; what it is about must be in the suite.
-Claim read_claim(const ConfigNode& entry, const SuiteConfig& suite);
+// One entry of `acceptance`; what it is about must be in the suite.
+AcceptanceCriterion read_criterion(const ConfigNode& entry, const SuiteConfig& suite);
 
 // Keeps only the planners with these labels; throws std::invalid_argument for one that is not
 // there.

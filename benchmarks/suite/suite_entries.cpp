@@ -9,6 +9,7 @@
 #include "voronaut/benchmarks/suite/entry_keys.h"
 #include "voronaut/benchmarks/suite/suite_config.h"
 #include "voronaut/environments/config/config_reader.h"
+#include "voronaut/environments/config/label.h"
 #include "voronaut/environments/config/nearest_name.h"
 
 namespace voronaut {
@@ -72,11 +73,10 @@ std::string planner_name(const ConfigNode& node, const PlannerCatalog& planners)
   return known_name(node, "planner", names_of(planners));
 }
 
-void read_label(const ConfigNode& entry, std::string& label) {
+void read_own_label(const ConfigNode& entry, std::string& label) {
   const auto node = entry.is_map() ? entry.find("label") : std::nullopt;
   if (!node) return;
-  label = node->text();
-  if (label.empty()) throw node->error("expected a label, got ''");
+  label = read_label(*node);
 }
 
 // A planner is made, and given parameters, in a process of its own: it may throw, abort or hang.
@@ -122,7 +122,7 @@ VehicleEntry read_vehicle(const ConfigNode& entry) {
   if (entry.is_map()) entry.allow_only(key_names<VehicleEntryKeys>());
   VehicleEntry read;
   read.vehicle = find_vehicle(known_name(name_node(entry), "vehicle", vehicle_names()));
-  read_label(entry, read.vehicle.name);
+  read_own_label(entry, read.vehicle.name);
   read.regulator_name = read.vehicle.regulator;
   std::optional<ConfigNode> regulator_node;
   if (entry.is_map()) {
@@ -150,10 +150,10 @@ PlannerSpec read_planner(const ConfigNode& entry, const PlannerCatalog& planners
   if (entry.is_map()) entry.allow_only(key_names<PlannerEntryKeys>());
   PlannerSpec spec;
   spec.name = planner_name(name_node(entry), planners);
-  spec.label = spec.name;
-  read_label(entry, spec.label);
+  spec.label = read_label(name_node(entry));
+  read_own_label(entry, spec.label);
   if (const auto own = entry.is_map() ? entry.find("navigation") : std::nullopt)
-    read_into(*own, spec.flight.navigation.emplace(navigation));
+    read_into(*own, spec.navigation.emplace(navigation));
   if (const auto params = entry.is_map() ? entry.find("params") : std::nullopt)
     for (const std::string& key : params->keys())
       spec.params[key] = parameter_text(params->child(key));
@@ -161,9 +161,9 @@ PlannerSpec read_planner(const ConfigNode& entry, const PlannerCatalog& planners
   return spec;
 }
 
-Claim read_claim(const ConfigNode& entry, const SuiteConfig& suite) {
-  Claim claim;
-  read_into(entry, claim);
+AcceptanceCriterion read_criterion(const ConfigNode& entry, const SuiteConfig& suite) {
+  AcceptanceCriterion criterion;
+  read_into(entry, criterion);
   const auto require_known = [&](const char* key, const auto& items, const auto& name_of) {
     std::vector<std::string> names;
     for (const auto& item : items)
@@ -175,7 +175,7 @@ Claim read_claim(const ConfigNode& entry, const SuiteConfig& suite) {
   require_known("vehicle", suite.vehicles, [](const VehicleEntry& v) { return v.vehicle.name; });
   require_known("planner", suite.planners, [](const PlannerSpec& p) { return p.label; });
   require_known("speed_beside", suite.planners, [](const PlannerSpec& p) { return p.label; });
-  return claim;
+  return criterion;
 }
 
 }  // namespace voronaut

@@ -1,6 +1,7 @@
 #include "voronaut/benchmarks/suite/suite_trials.h"
 
 #include <stdexcept>
+#include <utility>
 
 #include "voronaut/benchmarks/trial/trial_id.h"
 #include "voronaut/environments/random.h"
@@ -16,7 +17,8 @@ std::uint64_t world_seed(const SuiteConfig& suite, const std::string& scenario,
 
 }  // namespace
 
-SuiteTrials::SuiteTrials(const SuiteConfig& suite) : suite_(suite) {
+SuiteTrials::SuiteTrials(const SuiteConfig& suite, Rehearse rehearse)
+    : suite_(suite), rehearse_(std::move(rehearse)) {
   for (std::size_t scenario = 0; scenario < suite.scenarios.size(); ++scenario) {
     const bool once = suite.repeat == Repeat::random && !suite.scenarios[scenario].random();
     const auto repetitions = static_cast<std::size_t>(once ? 1 : suite.repetitions);
@@ -44,15 +46,22 @@ void SuiteTrials::enter_world() {
   const auto [scenario, repetition] = visits_[worlds];
   const ScenarioSpec& source = suite_.scenarios[scenario];
   if (repetition > 0 && !source.random()) return;
+  make_world(source, world_seed(suite_, source.name(), repetition));
+  if (refusal_.empty()) return;
+  scenario_ = {};
+  scenario_.name = source.name();
+  scenario_.group = source.group();
+  world_id_.clear();
+}
+
+void SuiteTrials::make_world(const ScenarioSpec& source, std::uint64_t seed) {
   refusal_.clear();
+  if (rehearse_ && source.random()) refusal_ = rehearse_([&] { source.instantiate(seed); });
+  if (!refusal_.empty()) return;
   try {
-    scenario_ = source.instantiate(world_seed(suite_, source.name(), repetition));
+    scenario_ = source.instantiate(seed);
     world_id_ = world_id(scenario_);
   } catch (const std::runtime_error&) {  // its text names files: not for a deterministic column
-    scenario_ = {};
-    scenario_.name = source.name();
-    scenario_.group = source.group();
-    world_id_.clear();
     refusal_ = "the generator drew no admissible world";
   }
 }

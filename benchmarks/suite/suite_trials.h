@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -24,7 +25,12 @@ struct PlannedTrial {
 // height 0.
 class SuiteTrials {
  public:
-  explicit SuiteTrials(const SuiteConfig& suite);
+  // Does the work of making a world where it can do no harm and says what became of it: empty if
+  // it can be done here.
+  using Rehearse = std::function<std::string(const std::function<void()>& work)>;
+
+  // A random world that `rehearse` warns of is not made; its trials have that as their refusal.
+  explicit SuiteTrials(const SuiteConfig& suite, Rehearse rehearse = nullptr);
 
   std::size_t total() const;
   std::optional<PlannedTrial> next();
@@ -34,6 +40,7 @@ class SuiteTrials {
 
  private:
   void enter_world();
+  void make_world(const ScenarioSpec& source, std::uint64_t seed);
   PlannedTrial trial(const VehicleEntry& vehicle, const PlannerSpec& planner) const;
 
   // A scenario's turn: which one, for the how manieth time.
@@ -42,6 +49,7 @@ class SuiteTrials {
   };
 
   const SuiteConfig& suite_;
+  Rehearse rehearse_;
   std::vector<Visit> visits_;
   std::size_t next_ = 0;
   Scenario scenario_;

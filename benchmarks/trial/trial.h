@@ -17,6 +17,8 @@
 // One trial: everything that defines it, and what comes out of it.
 namespace voronaut {
 
+struct Tick;
+
 struct PlannerSpec {
   std::string label;                          // unique within a suite; what reports call it
   std::string name;                           // in the catalogue

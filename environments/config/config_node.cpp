@@ -1,13 +1,9 @@
 #include "voronaut/environments/config/config_node.h"
 
 #include <algorithm>
-#include <cerrno>
 #include <charconv>
 #include <cmath>
-#include <cstring>
 #include <filesystem>
-#include <fstream>
-#include <sstream>
 
 #include "voronaut/environments/config/config_tree.h"
 #include "voronaut/environments/config/nearest_name.h"
@@ -66,25 +62,6 @@ std::string number_text(double value) {
   char text[32];
   const auto result = std::to_chars(text, text + sizeof text, value, format);
   return {text, result.ptr};
-}
-
-std::string read_bytes(const std::string& path) {
-  std::error_code ignored;
-  if (std::filesystem::is_directory(path, ignored))
-    throw ConfigError(path, 0, "", "cannot be read (is a folder)");
-  errno = 0;
-  std::ifstream stream(path, std::ios::binary);
-  if (!stream)
-    throw ConfigError(path, 0, "", "cannot be read (" + std::string(std::strerror(errno)) + ")");
-  std::ostringstream text;
-  text << stream.rdbuf();
-  return text.str();
-}
-
-std::string read_text_file(const std::string& path) {
-  std::string text = read_bytes(path);
-  require_utf8(text, path);
-  return text;
 }
 
 ConfigNode ConfigNode::read_file(const std::string& path) {

@@ -8,6 +8,7 @@ namespace {
 
 constexpr std::array kRenamings{
     Renaming{"clearance_min_m", "planning_clearance_m"},  // of a vehicle
+    Renaming{"claims", "acceptance"},
     Renaming{"gaze", "yaw_policy"},
     Renaming{"known", "static"},  // the kind of a suite
 };

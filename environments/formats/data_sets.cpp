@@ -6,6 +6,7 @@
 #include <optional>
 #include <utility>
 
+#include "voronaut/environments/config/file_session.h"
 #include "voronaut/environments/config/nearest_name.h"
 #include "voronaut/environments/formats/csv_table.h"
 #include "voronaut/environments/formats/foreign_formats.h"
@@ -160,7 +161,7 @@ std::string folder_of(const std::string& name, const DataLocation& data, const C
     throw place.error("'" + name + "' lies in the data folder, which is not known: " + remedy);
   std::string folder = (std::filesystem::path(data.folder) / name).string();
   std::error_code ignored;
-  if (!std::filesystem::is_directory(folder, ignored))
+  if (!FileSession::has_copies() && !std::filesystem::is_directory(folder, ignored))
     throw place.error("no folder " + in_quotes(folder) + " (data folder from " + data.origin +
                       "; " + remedy + ")");
   return folder;

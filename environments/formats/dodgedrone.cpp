@@ -52,10 +52,12 @@ ForeignWorld parse_dodgedrone(std::string_view text, const std::string& file,
     if (std::abs(x) >= kParked_m || std::abs(y) >= kParked_m || std::abs(z) >= kParked_m) continue;
     if (!is_near(width_m, 2 * radius_m) || !is_near(height_m, 2 * radius_m))
       throw lines.error("sx, sy and sz differ: only spheres are read");
-    const double above_m = options.cut == SphereCut::columns ? 0 : z - options.height_m;
+    const double above_m = options.cut == BodyCut::columns ? 0 : z - options.height_m;
     const double left_sq = radius_m * radius_m - above_m * above_m;
     if (left_sq >= kSmallestRadius * kSmallestRadius)
       world.shapes.circles.push_back({{x, y}, std::sqrt(left_sq)});
+    else
+      ++world.bodies_off_plane;
   }
   if (lines.number() == 0) throw lines.error("the file is empty");
   return world;

@@ -14,6 +14,7 @@
 #include "voronaut/environments/formats/ros_map.h"
 #include "voronaut/environments/formats/sdf_world.h"
 #include "voronaut/environments/formats/text_lines.h"
+#include "voronaut/environments/formats/wkt.h"
 
 namespace voronaut {
 namespace {
@@ -36,7 +37,8 @@ bool is_ir_sim(const FileLook& file) {
   if (!file.yaml) return false;
   const auto world = file.yaml->find("world");
   const bool has_size = world && world->is_map() && (world->find("width") || world->find("height"));
-  return has_size || file.yaml->find("robot") || file.yaml->find("obstacle");
+  return has_size || file.yaml->find("robot") || file.yaml->find("obstacle") ||
+         file.yaml->find("irsim");
 }
 
 bool has_line(const FileLook& file, std::string_view beginning) {
@@ -52,15 +54,21 @@ ForeignOptions unit_cells() {
   return options;
 }
 
+ForeignOptions seen_from_above() {
+  ForeignOptions options;
+  options.cut = BodyCut::columns;
+  return options;
+}
+
 ForeignWorld read_movingai(const std::string& path, const ForeignOptions& options) {
   const BlockedCells cells = parse_movingai_map(read_text_file(path), path);
   return world_of(cells, {cells.columns(), cells.rows(), options.cell_size_m});
 }
 
 // What is wrong with the image is said where the map names it.
-GreyImage read_image(const std::string& path, const ConfigNode& place) {
+GreyImage read_image(const RosMapDescription& map, const ConfigNode& place) {
   try {
-    return parse_pgm(read_bytes(path), path);
+    return read_ros_map_image(map);
   } catch (const ConfigError& error) {
     throw place.error(error.what());
   }
@@ -69,7 +77,7 @@ GreyImage read_image(const std::string& path, const ConfigNode& place) {
 ForeignWorld read_ros_map(const std::string& path, const ForeignOptions& options) {
   const ConfigNode root = ConfigNode::read_file(path);
   const RosMapDescription map = read_ros_map_description(root);
-  const GreyImage image = read_image(map.image, root.child("image"));
+  const GreyImage image = read_image(map, root.child("image"));
   const BlockedCells cells = ros_map_cells(map, image, options.unknown);
   return world_of(cells, {cells.columns(), cells.rows(), map.resolution_m, map.origin});
 }
@@ -113,14 +121,19 @@ const std::vector<ForeignFormat>& foreign_formats() {
        {"cell_size_m"},
        {},
        read_movingai},
-      {"ros_map", "ROS map_server (.yaml and its .pgm)", is_ros_map, {"unknown"}, {}, read_ros_map},
+      {"ros_map",
+       "ROS map_server (.yaml and its .pgm or .png)",
+       is_ros_map,
+       {"unknown"},
+       {},
+       read_ros_map},
       {"sdf",
        "Gazebo world of cylinders and boxes, as BARN's (.world)",
        [](const FileLook& file) { return file.ending == ".world" || file.ending == ".sdf"; },
-       {},
-       {},
-       [](const std::string& path, const ForeignOptions&) {
-         return parse_sdf_world(read_text_file(path), path);
+       {"cut", "height_m"},
+       seen_from_above(),
+       [](const std::string& path, const ForeignOptions& options) {
+         return parse_sdf_world(read_text_file(path), path, options);
        }},
       {"pathbench",
        "PathBench dense map (.json)",
@@ -166,6 +179,16 @@ const std::vector<ForeignFormat>& foreign_formats() {
        unit_cells(),
        [](const std::string& path, const ForeignOptions& options) {
          return parse_ompl_environment(read_text_file(path), path, options.cell_size_m);
+       }},
+      {"wkt",
+       "well-known text, a geometry a line (.wkt)",
+       [](const FileLook& file) { return file.ending == ".wkt"; },
+       {},
+       {},
+       [](const std::string& path, const ForeignOptions&) {
+         ForeignWorld world;
+         world.shapes = parse_wkt_lines(read_text_file(path), path);
+         return world;
        }},
       {"circles_csv",
        "circles, columns x, y, r (.csv)",

@@ -24,7 +24,7 @@ struct ForeignFormat {
   // Whether a file that looks so is one of them.
   bool (*recognises)(const FileLook& file);
   std::vector<std::string> options;  // keys of ForeignOptions that it uses
-  ForeignOptions defaults;
+  ForeignOptions defaults;           // of a file that no scenario names
   // Throws ConfigError.
   ForeignWorld (*read)(const std::string& path, const ForeignOptions& options);
 };

@@ -32,7 +32,9 @@ struct ForeignWorld {
   Shapes shapes;
   std::optional<Vec2> start;
   std::optional<Vec2> goal;
+  std::optional<double> start_heading_rad;
   std::optional<CellFrame> cells;  // if it came as a grid
+  int bodies_off_plane = 0;        // left out, because they do not meet the plane of flight
 };
 
 // One way through a world that a file of queries names.
@@ -47,14 +49,15 @@ struct ForeignQuery {
 // What a map says about places that nobody has seen.
 enum class UnknownCells { free, blocked };
 
-// What is taken of spheres in space: where they meet a plane, or all below and above them as well.
-enum class SphereCut { plane, columns };
+// What is taken of bodies in space: where they meet the plane of flight, or all below and above
+// them as well, as seen from above.
+enum class BodyCut { plane, columns };
 
 // How a file is read, where its format leaves that open. Each format uses some of these.
 struct ForeignOptions {
   double cell_size_m = 0.25;
   UnknownCells unknown = UnknownCells::blocked;
-  SphereCut cut = SphereCut::plane;
+  BodyCut cut = BodyCut::plane;
   double height_m = 1;
 
   template <class Visitor>
@@ -63,9 +66,9 @@ struct ForeignOptions {
     v.choice("unknown", unknown, {{"free", UnknownCells::free}, {"blocked", UnknownCells::blocked}},
              "What unknown cells of a map are taken for");
     v.choice(
-        "cut", cut, {{"plane", SphereCut::plane}, {"columns", SphereCut::columns}},
-        "What is taken of spheres: where they meet a plane, or all below and above it as well");
-    v.number("height_m", height_m, 0, 100, "Of that plane");
+        "cut", cut, {{"plane", BodyCut::plane}, {"columns", BodyCut::columns}},
+        "What is taken of bodies: where they meet a plane, or all below and above it as well");
+    v.number("height_m", height_m, 0, 100, "Of that plane; in a scenario its cruise_height_m unless given");
   }
 };
 

@@ -4,9 +4,8 @@
 #include <stdexcept>
 #include <utility>
 
-#include "voronaut/environments/config/nearest_name.h"
 #include "voronaut/environments/formats/csv_table.h"
-#include "voronaut/environments/formats/yaml_flag.h"
+#include "voronaut/environments/formats/foreign_yaml.h"
 #include "voronaut/environments/generators/placement.h"
 
 namespace voronaut {
@@ -16,42 +15,55 @@ constexpr double kFar = kFarthestCoordinate;
 constexpr double kDefaultSide_m = 10;  // of IR-SIM's world
 
 // The keys that IR-SIM documents (docs/source/yaml_config). Most are about motion and plots and are
-// not read; any other may be a slip that changes the world.
+// not read; one that looks like a misspelt one of these would change the world.
+const std::vector<std::string> kRootKeys = {"world", "robot", "obstacle", "gui", "custom", "irsim"};
 const std::vector<std::string> kWorldKeys = {
-    "name",         "height",         "width",  "step_time",    "sample_time", "offset",
-    "control_mode", "collision_mode", "status", "obstacle_map", "mdownsample", "plot"};
+    "name",         "height",      "width",   "step_time",          "sample_time",
+    "offset",       "step_mode",   "status",  "control_mode",       "collision_mode",
+    "obstacle_map", "mdownsample", "fog_map", "fog_map_resolution", "plot"};
 const std::vector<std::string> kObjectKeys = {
-    "number",      "distribution",   "shape",      "state",          "unobstructed",
-    "goal",        "name",           "kinematics", "velocity",       "state_dim",
-    "vel_dim",     "group",          "vel_min",    "vel_max",        "acce",
-    "angle_range", "goal_threshold", "behavior",   "group_behavior", "role",
-    "static",      "sensors",        "fov",        "fov_radius",     "arrive_mode",
-    "color",       "plot",           "description"};
+    "number",     "distribution",   "shape",    "state",     "unobstructed", "goal",
+    "name",       "kinematics",     "velocity", "state_dim", "vel_dim",      "group",
+    "group_name", "vel_min",        "vel_max",  "acce",      "angle_range",  "goal_threshold",
+    "behavior",   "group_behavior", "role",     "static",    "sensors",      "fov",
+    "fov_radius", "arrive_mode",    "color",    "plot",      "description"};
 
 struct Placed {
   Vec2 p = Vec2::Zero();
-  Vec2 heading = Vec2::UnitX();
+  double theta_rad = 0;
 
-  Vec2 world(const Vec2& local) const { return p + turned(local, heading); }
+  Vec2 heading() const { return unit_vector(theta_rad); }
+  Vec2 world(const Vec2& local) const { return p + turned(local, heading()); }
+  Placed of(const Placed& inner) const { return {world(inner.p), theta_rad + inner.theta_rad}; }
 };
 
-// [x, y], [x, y, theta] or longer; what comes after theta is not read.
+// Where IR-SIM puts an object without a state, and where it sends one without a goal.
+const Placed kStandardState{{1, 1}, 0};
+const Placed kStandardGoal{{1, 9}, 0};
+
+// [x, y], [x, y, theta] or longer: what comes after theta is not read, what is missing is 0.
 Placed read_state(const ConfigNode& node) {
   const std::vector<ConfigNode> values = node.items();
   if (values.size() < 2) throw node.error("expected [x, y, theta]");
   Placed placed;
   placed.p = {values[0].number(-kFar, kFar), values[1].number(-kFar, kFar)};
-  if (values.size() > 2) placed.heading = unit_vector(values[2].number(-1e3, 1e3));
+  if (values.size() > 2) placed.theta_rad = values[2].number(-1e3, 1e3);
   return placed;
 }
 
-std::vector<ConfigNode> one_or_more(const ConfigNode& node) {
-  return node.is_list() ? node.items() : std::vector{node};
+std::vector<ConfigNode> one_or_more(const std::optional<ConfigNode>& node) {
+  if (!node) return {};
+  return node->is_list() ? node->items() : std::vector{*node};
 }
 
 bool is_list_of_lists(const ConfigNode& node) {
   const auto items = node.items();
   return !items.empty() && items.front().is_list();
+}
+
+// Of a state, a list of states, or a list of lists of them.
+Placed first_state(const ConfigNode& node) {
+  return is_list_of_lists(node) ? first_state(node.items().front()) : read_state(node);
 }
 
 Vec2 read_xy(const ConfigNode& node) {
@@ -80,28 +92,41 @@ Polygon read_polygon(const ConfigNode& shape, const Placed& at) {
   }
 }
 
-// Refuses what is drawn at random, and keys that would change the shape and are not read: a
-// wheelbase moves it.
-void check_shape(const ConfigNode& shape) {
-  if (const auto random = shape.find("random_shape"); random && read_yaml_flag(*random))
+double size_of(const ConfigNode& shape, const char* key, double standard_m) {
+  const auto size = find_given(shape, key);
+  return size ? size->number(kSmallestRadius, kLargestRadius) : standard_m;
+}
+
+// A shape without a name is a circle. What is drawn at random is refused, and so are keys that
+// would change the shape and are not read: a wheelbase moves it.
+std::string kind_of(const ConfigNode& shape) {
+  const std::vector<std::string> kinds = {"circle", "rectangle", "polygon", "linestring",
+                                          "compound"};
+  if (const auto random = find_given(shape, "random_shape"); random && read_yaml_flag(*random))
     throw random->error("a shape drawn at random is not read");
-  shape.allow_only(
-      {"name", "radius", "center", "length", "width", "vertices", "random_shape", "is_convex"});
+  shape.allow_only({"name", "radius", "center", "length", "width", "vertices", "parts", "pose",
+                    "random_shape", "is_convex"});
+  const auto name = find_given(shape, "name");
+  return name ? kinds[name->choice(kinds)] : kinds.front();
 }
 
 void add_shape(const ConfigNode& shape, const Placed& at, Shapes& shapes) {
-  const std::vector<std::string> kinds = {"circle", "rectangle", "polygon", "linestring"};
-  const std::string& kind = kinds[shape.child("name").choice(kinds)];
+  const std::string kind = kind_of(shape);
   if (kind == "circle") {
-    const auto center = shape.find("center");
+    const auto center = find_given(shape, "center");
     const Vec2 p = at.world(center ? read_xy(*center) : Vec2(0, 0));
-    shapes.circles.push_back({p, shape.child("radius").number(kSmallestRadius, kLargestRadius)});
+    shapes.circles.push_back({p, size_of(shape, "radius", 0.2)});
   } else if (kind == "rectangle") {
-    const double length_m = shape.child("length").number(kSmallestRadius, kLargestRadius);
-    const double width_m = shape.child("width").number(kSmallestRadius, kLargestRadius);
-    shapes.polygons.push_back(box(at.p, length_m, width_m, at.heading));
+    shapes.polygons.push_back(
+        box(at.p, size_of(shape, "length", 1), size_of(shape, "width", 1), at.heading()));
   } else if (kind == "polygon") {
     shapes.polygons.push_back(read_polygon(shape, at));
+  } else if (kind == "compound") {
+    for (const ConfigNode& part : shape.child("parts").items()) {
+      const auto pose = find_given(part, "pose");
+      if (kind_of(part) == "compound") throw part.error("a compound in a compound");
+      add_shape(part, pose ? at.of(read_state(*pose)) : at, shapes);
+    }
   } else {
     const auto corners = read_vertices(shape, at, 2);
     for (std::size_t i = 1; i < corners.size(); ++i) {
@@ -111,58 +136,80 @@ void add_shape(const ConfigNode& shape, const Placed& at, Shapes& shapes) {
   }
 }
 
+// The one of several, of which the last repeats.
+template <class T>
+const T& of_index(const std::vector<T>& values, std::size_t index) {
+  return values[std::min(index, values.size() - 1)];
+}
+
 // `unobstructed` of one obstacle of the entry: nothing collides with it, and IR-SIM's lidar sees
 // through it.
 bool is_unobstructed(const ConfigNode& entry, std::size_t index) {
-  const auto node = entry.find("unobstructed");
-  if (!node) return false;
-  const auto flags = one_or_more(*node);
-  return !flags.empty() && read_yaml_flag(flags[std::min(index, flags.size() - 1)]);
+  const auto flags = one_or_more(find_given(entry, "unobstructed"));
+  return !flags.empty() && read_yaml_flag(of_index(flags, index));
+}
+
+// Whether IR-SIM places the objects of the entry itself, at random or in a circle.
+bool is_placed_by_rule(const ConfigNode& entry) {
+  const auto distribution = find_given(entry, "distribution");
+  const auto name = distribution ? find_given(*distribution, "name") : std::nullopt;
+  return name && name->text() != "manual";
+}
+
+std::vector<Placed> read_states(const ConfigNode& entry) {
+  const auto state = find_given(entry, "state");
+  if (!state) return {kStandardState};
+  if (!is_list_of_lists(*state)) return {read_state(*state)};
+  std::vector<Placed> states;
+  for (const ConfigNode& item : state->items()) states.push_back(read_state(item));
+  return states;
 }
 
 void add_obstacles(const ConfigNode& entry, Shapes& shapes) {
-  entry.allow_only(kObjectKeys);
-  if (const auto distribution = entry.find("distribution");
-      distribution && distribution->child("name").text() != "manual")
-    throw distribution->error(
-        "obstacles that IR-SIM places itself, at random or in a circle, are not read: give manual "
-        "and their states");
-  const auto kinds = one_or_more(entry.child("shape"));
-  if (kinds.empty()) throw entry.child("shape").error("expected a shape");
-  for (const ConfigNode& kind : kinds) check_shape(kind);
-  const auto number = entry.find("number");
-  const auto count = number ? static_cast<std::size_t>(number->whole_number(1, 10'000)) : 1;
-  std::vector<Placed> places;
-  if (const auto state = entry.find("state")) {
-    if (is_list_of_lists(*state))
-      for (const ConfigNode& item : state->items()) places.push_back(read_state(item));
+  refuse_misspelt(entry, kObjectKeys);
+  if (is_placed_by_rule(entry))
+    throw entry.child("distribution")
+        .error(
+            "obstacles that IR-SIM places itself, at random or in a circle, are not read: give "
+            "manual and their states");
+  const auto kinds = one_or_more(find_given(entry, "shape"));
+  for (const ConfigNode& kind : kinds) kind_of(kind);
+  const auto number = find_given(entry, "number");
+  const auto count = number ? static_cast<std::size_t>(number->whole_number(0, 10'000)) : 1;
+  const std::vector<Placed> states = read_states(entry);
+  for (std::size_t i = 0; i < count; ++i) {
+    if (is_unobstructed(entry, i)) continue;
+    if (kinds.empty())
+      shapes.circles.push_back({of_index(states, i).p, 0.2});
     else
-      places.push_back(read_state(*state));
-  } else if (!number) {
-    places.emplace_back();
+      add_shape(of_index(kinds, i), of_index(states, i), shapes);
   }
-  if (places.size() < count)
-    throw entry.error("expected a state for each of " + std::to_string(count) + " obstacles");
-  for (std::size_t i = 0; i < count; ++i)
-    if (!is_unobstructed(entry, i))
-      add_shape(kinds[std::min(i, kinds.size() - 1)], places[i], shapes);
 }
 
-std::optional<Vec2> first_place(const ConfigNode& robot, const char* key) {
-  const auto node = robot.find(key);
-  if (!node) return std::nullopt;
-  return read_state(is_list_of_lists(*node) ? node->items().front() : *node).p;
+// The first robot that IR-SIM does not place itself.
+void read_robot(const std::vector<ConfigNode>& robots, ForeignWorld& read) {
+  for (const ConfigNode& robot : robots) {
+    refuse_misspelt(robot, kObjectKeys);
+    if (read.start || is_placed_by_rule(robot)) continue;
+    const auto state = find_given(robot, "state");
+    const auto goal = find_given(robot, "goal");
+    const Placed start = state ? first_state(*state) : kStandardState;
+    read.start = start.p;
+    read.start_heading_rad = start.theta_rad;
+    read.goal = (goal ? first_state(*goal) : kStandardGoal).p;
+  }
 }
 
 Bounds read_world(const std::optional<ConfigNode>& world) {
   if (!world) return {{0, 0}, {kDefaultSide_m, kDefaultSide_m}};
-  world->allow_only(kWorldKeys);
-  if (const auto map = world->find("obstacle_map")) throw map->error("an obstacle map is not read");
+  refuse_misspelt(*world, kWorldKeys);
+  if (const auto map = find_given(*world, "obstacle_map"))
+    throw map->error("an obstacle map is not read");
   const auto side_m = [&](const char* key) {
-    const auto side = world->find(key);
+    const auto side = find_given(*world, key);
     return side ? side->number(kSmallestRadius, kFar) : kDefaultSide_m;
   };
-  const auto offset = world->find("offset");
+  const auto offset = find_given(*world, "offset");
   const Vec2 lower_left = offset ? read_xy(*offset) : Vec2(0, 0);
   return {lower_left, lower_left + Vec2(side_m("width"), side_m("height"))};
 }
@@ -170,17 +217,13 @@ Bounds read_world(const std::optional<ConfigNode>& world) {
 }  // namespace
 
 ForeignWorld read_ir_sim(const ConfigNode& root) {
-  root.allow_only({"world", "robot", "obstacle", "gui"});
+  if (const auto nested = find_given(root, "irsim")) return read_ir_sim(*nested);
+  refuse_misspelt(root, kRootKeys);
   ForeignWorld read;
-  read.bounds = read_world(root.find("world"));
-  if (const auto obstacles = root.find("obstacle"))
-    for (const ConfigNode& entry : one_or_more(*obstacles)) add_obstacles(entry, read.shapes);
-  const auto robots = root.find("robot");
-  for (const ConfigNode& robot : robots ? one_or_more(*robots) : std::vector<ConfigNode>{}) {
-    read.start = first_place(robot, "state");
-    read.goal = first_place(robot, "goal");
-    if (read.start && read.goal) break;
-  }
+  read.bounds = read_world(find_given(root, "world"));
+  for (const ConfigNode& entry : one_or_more(find_given(root, "obstacle")))
+    add_obstacles(entry, read.shapes);
+  read_robot(one_or_more(find_given(root, "robot")), read);
   return read;
 }
 

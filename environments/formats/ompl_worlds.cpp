@@ -1,5 +1,7 @@
 #include "voronaut/environments/formats/ompl_worlds.h"
 
+#include <algorithm>
+
 #include "voronaut/environments/config/nearest_name.h"
 #include "voronaut/environments/formats/blocked_cells.h"
 #include "voronaut/environments/formats/csv_table.h"
@@ -28,6 +30,51 @@ Vec2 expect_place(TextLines& lines, const std::string& number, const std::string
     throw lines.error("expected '" + number + " " + what + " x y', got " + in_quotes(lines.line()));
   return {lines.real(words[2], "x", -kFar, kFar), lines.real(words[3], "y", -kFar, kFar)};
 }
+
+// A text word by word: line breaks are blanks like others.
+class Words {
+ public:
+  Words(std::string_view text, const std::string& file) : lines_(text, file) {}
+
+  void expect(const std::string& key) {
+    if (const auto word = next("'" + key + "'"); word != key)
+      throw error("expected '" + key + "', got " + in_quotes(word));
+  }
+
+  int whole(const std::string& what, int lo, int hi) {
+    const std::string_view word = next(what);
+    return static_cast<int>(lines_.whole(word, what, lo, hi));
+  }
+
+  void expect_end() {
+    if (to_word()) throw error("expected the end of the file, got " + in_quotes(rest_));
+  }
+
+  ConfigError error(const std::string& problem) const { return lines_.error(problem); }
+
+ private:
+  static constexpr std::string_view kBlank = " \t";
+
+  // Whether there is one.
+  bool to_word() {
+    while (true) {
+      rest_.remove_prefix(std::min(rest_.find_first_not_of(kBlank), rest_.size()));
+      if (!rest_.empty()) return true;
+      if (!lines_.next()) return false;
+      rest_ = lines_.line();
+    }
+  }
+
+  std::string_view next(const std::string& what) {
+    if (!to_word()) throw error("the file ends before " + what);
+    const std::string_view word = rest_.substr(0, rest_.find_first_of(kBlank));
+    rest_.remove_prefix(word.size());
+    return word;
+  }
+
+  TextLines lines_;
+  std::string_view rest_;  // of the line, not read yet
+};
 
 }  // namespace
 
@@ -75,38 +122,28 @@ std::vector<ForeignQuery> parse_ompl_circle_queries(std::string_view text,
 
 ForeignWorld parse_ompl_environment(std::string_view text, const std::string& file,
                                     double cell_size_m) {
-  TextLines lines(text, file);
-  const auto sizes = expect_values(lines, "discretization(cells):", 2);
-  const auto whole = [&](std::string_view word, const char* what, int lo, int hi) {
-    return static_cast<int>(lines.whole(word, what, lo, hi));
-  };
-  const int columns = whole(sizes[0], "columns", 1, BlockedCells::kLongestSide);
-  const int rows = whole(sizes[1], "rows", 1, BlockedCells::kLongestSide);
-  if (!BlockedCells::may_have(columns, rows))
-    throw lines.error("more than " + std::to_string(BlockedCells::kMostCells) + " cells");
-  const CellFrame frame{columns, rows, cell_size_m};
+  Words words(text, file);
+  words.expect("discretization(cells):");
+  CellFrame frame{1, 1, cell_size_m};
+  frame.columns = words.whole("columns", 1, BlockedCells::kLongestSide);
+  frame.rows = words.whole("rows", 1, BlockedCells::kLongestSide);
+  if (!BlockedCells::may_have(frame.columns, frame.rows))
+    throw words.error("more than " + std::to_string(BlockedCells::kMostCells) + " cells");
   const auto place = [&](const char* key) {
-    const auto words = expect_values(lines, key, 2);
-    const int row = whole(words[0], "row", 0, rows - 1);
-    return frame.center(whole(words[1], "column", 0, columns - 1), rows - 1 - row);
+    words.expect(key);
+    const int column = words.whole("column", 0, frame.columns - 1);
+    return frame.center(column, words.whole("row", 0, frame.rows - 1));
   };
   const Vec2 start = place("start(cells):");
   const Vec2 goal = place("end(cells):");
-  expect_values(lines, "environment:", 0);
-  BlockedCells cells(columns, rows);
-  for (int row = rows - 1; row >= 0; --row) {
-    if (!lines.next())
-      throw lines.error("the file ends after " + std::to_string(rows - 1 - row) + " of " +
-                        std::to_string(rows) + " rows");
-    const auto words = lines.words();
-    if (words.size() != static_cast<std::size_t>(columns))
-      throw lines.error("expected a row of " + std::to_string(columns) + " cells, got " +
-                        std::to_string(words.size()));
-    for (int column = 0; column < columns; ++column)
-      if (lines.whole(words[static_cast<std::size_t>(column)], "cell", 0, 1) == 1)
-        cells.block(column, row);
+  words.expect("environment:");
+  BlockedCells cells(frame.columns, frame.rows);
+  for (int column = 0; column < frame.columns; ++column) {
+    for (int row = 0; row < frame.rows; ++row) {
+      if (words.whole("cell", 0, 1) == 1) cells.block(column, row);
+    }
   }
-  lines.expect_blank_rest();
+  words.expect_end();
   ForeignWorld world = world_of(cells, frame);
   world.start = start;
   world.goal = goal;

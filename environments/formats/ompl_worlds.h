@@ -17,9 +17,11 @@ ForeignWorld parse_ompl_circles(std::string_view text, const std::string& file);
 // circle_queries.txt: pairs of lines "0 start: x y" and "0 goal: x y".
 std::vector<ForeignQuery> parse_ompl_circle_queries(std::string_view text, const std::string& file);
 
-// env1.txt: "discretization(cells): columns rows", "start(cells): row column", "end(cells): row
-// column", "environment:", then rows of 0 (free) and 1 from the top. Start and goal are centres of
-// cells.
+// env1.txt, as OMPL's own loader reads it (tests/resources/environment2D.h):
+// "discretization(cells): W H", "start(cells): x y" and "end(cells): x y" with x < W and y < H,
+// "environment:", then W x H numbers, 0 (free) or 1, whatever the line breaks: for each x from 0
+// on, those of y from 0 to H - 1. A line of the square original is a column of the world. Start and
+// goal are centres of cells.
 ForeignWorld parse_ompl_environment(std::string_view text, const std::string& file,
                                     double cell_size_m);
 

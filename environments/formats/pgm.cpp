@@ -86,7 +86,7 @@ void read_raw(PgmText& text, GreyImage& image, std::size_t pixels) {
     if (value > image.white)
       throw text.error("pixel " + std::to_string(i / bytes_each) + " is " + std::to_string(value) +
                        ", above the maximum " + std::to_string(image.white));
-    image.values.push_back(static_cast<std::uint16_t>(value));
+    image.values.push_back(static_cast<std::uint32_t>(value));
   }
 }
 
@@ -109,7 +109,7 @@ GreyImage parse_pgm(std::string_view bytes, const std::string& file) {
     read_raw(text, image, pixels);
   } else {
     for (std::size_t i = 0; i < pixels; ++i)
-      image.values.push_back(static_cast<std::uint16_t>(text.whole("pixels", 0, image.white)));
+      image.values.push_back(static_cast<std::uint32_t>(text.whole("pixels", 0, image.white)));
     text.expect_end();
   }
   return image;

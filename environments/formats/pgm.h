@@ -11,12 +11,18 @@ namespace voronaut {
 struct GreyImage {
   int columns = 0;
   int rows = 0;
-  int white = 255;  // up to 65535
-  std::vector<std::uint16_t> values;
+  int white = 255;  // up to 4 * 65535, for the sum of four channels
+  std::vector<std::uint32_t> values;
+  std::vector<bool> unknown;  // pixels that say nothing; empty: there are none
 
-  int value(int column, int row) const {
-    return values[static_cast<std::size_t>(row) * static_cast<std::size_t>(columns) +
-                  static_cast<std::size_t>(column)];
+  bool is_unknown(int column, int row) const {
+    return !unknown.empty() && unknown[index(column, row)];
+  }
+
+  int value(int column, int row) const { return static_cast<int>(values[index(column, row)]); }
+  std::size_t index(int column, int row) const {
+    return static_cast<std::size_t>(row) * static_cast<std::size_t>(columns) +
+           static_cast<std::size_t>(column);
   }
 };
 

@@ -1,20 +1,11 @@
 #include "voronaut/environments/formats/ros_map.h"
 
-#include <algorithm>
-#include <vector>
-
-#include "voronaut/environments/config/nearest_name.h"
 #include "voronaut/environments/formats/csv_table.h"
-#include "voronaut/environments/formats/yaml_flag.h"
+#include "voronaut/environments/formats/foreign_yaml.h"
+#include "voronaut/environments/formats/png_image.h"
 
 namespace voronaut {
 namespace {
-
-void refuse_misspelt(const ConfigNode& root, const std::vector<std::string>& known) {
-  for (const std::string& key : root.keys())
-    if (std::find(known.begin(), known.end(), key) == known.end() && nearest_name(key, known))
-      throw root.child(key).error("unknown key" + allowed_names(key, known));
-}
 
 // A number or, as nav2 has it, a flag.
 bool read_negate(const ConfigNode& negate) {
@@ -37,8 +28,14 @@ RosMapDescription read_ros_map_description(const ConfigNode& root) {
   if (const auto negate = root.find("negate")) map.negate = read_negate(*negate);
   map.occupied_thresh = root.child("occupied_thresh").number(0, 1);
   map.free_thresh = root.child("free_thresh").number(0, map.occupied_thresh);
-  if (const auto mode = root.find("mode")) mode->choice({"trinary", "scale"});
+  if (const auto mode = root.find("mode")) map.scale = mode->choice({"trinary", "scale"}) == 1;
   return map;
+}
+
+GreyImage read_ros_map_image(const RosMapDescription& map) {
+  const std::string bytes = read_bytes(map.image);
+  if (!is_png(bytes)) return parse_pgm(bytes, map.image);
+  return parse_png(bytes, map.image, map.scale ? PngAlpha::unknown : PngAlpha::channel);
 }
 
 BlockedCells ros_map_cells(const RosMapDescription& map, const GreyImage& image,
@@ -49,8 +46,9 @@ BlockedCells ros_map_cells(const RosMapDescription& map, const GreyImage& image,
       const int value = image.value(column, row);
       const int dark = map.negate ? value : image.white - value;
       const double occupancy = static_cast<double>(dark) / image.white;
-      const bool occupied = occupancy >= map.occupied_thresh;
-      const bool is_free = !occupied && occupancy <= map.free_thresh;
+      const bool seen = !image.is_unknown(column, row);
+      const bool occupied = seen && occupancy >= map.occupied_thresh;
+      const bool is_free = seen && !occupied && occupancy <= map.free_thresh;
       if (occupied || (!is_free && unknown == UnknownCells::blocked))
         cells.block(column, image.rows - 1 - row);
     }

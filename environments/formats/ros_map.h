@@ -17,13 +17,18 @@ struct RosMapDescription {
   bool negate = false;
   double occupied_thresh = 0.65;
   double free_thresh = 0.25;
+  bool scale = false;  // mode scale: a pixel that is not wholly opaque is unknown
 };
 
 // Keys image, resolution (m per pixel), origin ([x, y, yaw] of the lower left pixel's corner, yaw
-// 0), negate (0, 1, false or true), occupied_thresh, free_thresh, mode (trinary or scale, which
-// here mean the same: a pixel is occupied, free or unknown). Other keys are not read, as map_server
-// does not; one that looks like a misspelt one of these is refused.
+// 0), negate (0, 1, false or true), occupied_thresh, free_thresh, mode (trinary or scale: in both a
+// pixel is occupied, free or unknown here; they differ in what they make of an image's opacity).
+// Other keys are not read, as map_server does not; one that looks like a misspelt one of these is
+// refused.
 RosMapDescription read_ros_map_description(const ConfigNode& root);
+
+// PGM or PNG, by its first bytes. Throws ConfigError.
+GreyImage read_ros_map_image(const RosMapDescription& map);
 
 // A pixel's occupancy is 1 - value / white (value / white if negated): occupied from
 // occupied_thresh on, free up to free_thresh, unknown between.

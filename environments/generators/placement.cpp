@@ -1,10 +1,17 @@
 #include "voronaut/environments/generators/placement.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include <sleef.h>
 
 namespace voronaut {
+namespace {
+
+// Of the cells of circles: a few posts of some centimetres do not make the cells of all others.
+constexpr double kSmallestCell_m = 0.25;
+
+}  // namespace
 
 Vec2 point_in(const Bounds& area, Random& random) {
   const double x = random.uniform(area.min.x(), area.max.x());
@@ -41,13 +48,41 @@ GeneratedWorld turned(const GeneratedWorld& world, const Vec2& direction) {
   return result;
 }
 
-bool CirclePlacer::fits(const Circle& candidate) const {
+CirclePlacer::Cell CirclePlacer::cell_of(const Vec2& p) const {
+  return {static_cast<std::int64_t>(std::floor(p.x() / cell_m_)),
+          static_cast<std::int64_t>(std::floor(p.y() / cell_m_))};
+}
+
+void CirclePlacer::list_new_circles() {
+  for (; listed_ < circles_.size(); ++listed_) {
+    const Circle& circle = circles_[listed_];
+    if (listed_ == 0) cell_m_ = std::max(2 * circle.radius_m + mutual_gap_m_, kSmallestCell_m);
+    largest_radius_m_ = std::max(largest_radius_m_, circle.radius_m);
+    by_cell_[cell_of(circle.center)].push_back(listed_);
+  }
+}
+
+bool CirclePlacer::fits(const Circle& candidate) {
   const auto apart = [&candidate](const Circle& other, double gap_m) {
     return (candidate.center - other.center).norm() >= candidate.radius_m + other.radius_m + gap_m;
   };
-  return std::all_of(kept_.begin(), kept_.end(), [&](const Circle& c) { return apart(c, 0); }) &&
-         std::all_of(circles_.begin(), circles_.end(),
-                     [&](const Circle& c) { return apart(c, mutual_gap_m_); });
+  if (!std::all_of(kept_.begin(), kept_.end(), [&](const Circle& c) { return apart(c, 0); }))
+    return false;
+  list_new_circles();
+  // Grown a little, so that rounding leaves out none that is too close.
+  const double reach_m =
+      (candidate.radius_m + largest_radius_m_ + mutual_gap_m_) * (1 + 1e-9) + 1e-9;
+  const Cell low = cell_of(candidate.center - Vec2::Constant(reach_m));
+  const Cell high = cell_of(candidate.center + Vec2::Constant(reach_m));
+  for (std::int64_t x = low.first; x <= high.first; ++x) {
+    // The cells of a column are neighbours in the map.
+    for (auto cell = by_cell_.lower_bound({x, low.second});
+         cell != by_cell_.end() && cell->first <= Cell{x, high.second}; ++cell) {
+      for (const std::size_t i : cell->second)
+        if (!apart(circles_[i], mutual_gap_m_)) return false;
+    }
+  }
+  return true;
 }
 
 namespace {

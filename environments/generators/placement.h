@@ -1,5 +1,9 @@
 #pragma once
 
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <utility>
 #include <vector>
 
 #include "voronaut/environments/generators/generated_world.h"
@@ -16,17 +20,18 @@ Vec2 turned(const Vec2& v, const Vec2& direction);
 // The whole world turned about the origin; bounds become those of the turned bounds' corners.
 GeneratedWorld turned(const GeneratedWorld& world, const Vec2& direction);
 
-// Puts circles into a world one after another. O(circles) per candidate.
+// Puts circles into a world one after another. A candidate costs the circles around it, and no
+// circle takes more than kTries candidates.
 class CirclePlacer {
  public:
-  // Surfaces of two circles keep mutual_gap_m.
+  // Surfaces of two circles keep mutual_gap_m. Others than this placer may add to `circles` too.
   CirclePlacer(std::vector<Circle>& circles, double mutual_gap_m)
       : circles_(circles), mutual_gap_m_(mutual_gap_m) {}
 
   // Surfaces stay clearance_m away from p.
   void keep_clear(const Vec2& p, double clearance_m) { kept_.push_back({p, clearance_m}); }
 
-  bool fits(const Circle& candidate) const;
+  bool fits(const Circle& candidate);
 
   // Candidates from draw() until one fits; false if none of kTries did.
   template <class Draw>
@@ -42,10 +47,19 @@ class CirclePlacer {
 
  private:
   static constexpr int kTries = 200;
+  using Cell = std::pair<std::int64_t, std::int64_t>;
+
+  Cell cell_of(const Vec2& p) const;
+  void list_new_circles();
 
   std::vector<Circle>& circles_;
   double mutual_gap_m_;
   std::vector<Circle> kept_;
+  // Circles by the cell of their centre: the first `listed_` of them.
+  double cell_m_ = 1;
+  double largest_radius_m_ = 0;
+  std::size_t listed_ = 0;
+  std::map<Cell, std::vector<std::size_t>> by_cell_;
 };
 
 // Walls have no thickness; their ends carry circles of kWallCapRadius, because an end without

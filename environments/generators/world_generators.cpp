@@ -19,6 +19,9 @@ namespace {
 constexpr double kAdmitted = 0.42;
 // Families about infeasibility: a world is admitted as it is drawn.
 constexpr double kUnchecked = 0;
+// After so many first draws of which none could be placed, what is asked is taken for impossible:
+// it would otherwise cost draws_max times as much to say so.
+constexpr int kMostUnplaced = 25;
 
 template <class FamilyConfig>
 struct GeneratorConfig {
@@ -133,18 +136,19 @@ bool WorldGenerator::admits(const GeneratedWorld& drawn) const {
 
 GeneratedWorld WorldGenerator::generate(std::uint64_t seed) const {
   Random random(seed);
+  int draws = 0;
   int unplaced = 0;
-  for (int draw = 0; draw < admission_.draws_max; ++draw) {
+  while (draws < admission_.draws_max && (unplaced < draws || unplaced < kMostUnplaced)) {
     WorldDraw drawn = draw_(random);
+    ++draws;
     if (!drawn)
       ++unplaced;
     else if (admits(*drawn))
       return *std::move(drawn);
   }
-  throw error("no '" + name_ + "' world in " + std::to_string(admission_.draws_max) +
-              " draws from seed " + std::to_string(seed) + ": " + std::to_string(unplaced) +
-              " could not be placed, " + std::to_string(admission_.draws_max - unplaced) +
-              " have no path for a disc of radius " +
+  throw error("no '" + name_ + "' world in " + std::to_string(draws) + " draws from seed " +
+              std::to_string(seed) + ": " + std::to_string(unplaced) + " could not be placed, " +
+              std::to_string(draws - unplaced) + " have no path for a disc of radius " +
               number_text(admission_.admission_clearance_m) + " m");
 }
 

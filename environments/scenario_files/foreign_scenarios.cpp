@@ -8,7 +8,7 @@
 #include "voronaut/environments/config/nearest_name.h"
 #include "voronaut/environments/formats/data_sets.h"
 #include "voronaut/environments/formats/foreign_formats.h"
-#include "voronaut/environments/scenario_keys.h"
+#include "voronaut/environments/scenario_files/scenario_keys.h"
 #include "voronaut/environments/world.h"
 
 namespace voronaut {
@@ -57,6 +57,19 @@ std::vector<ForeignQuery> selected_queries(const ConfigNode& node, const std::st
   return picked;
 }
 
+// A file for ground robots, say, flown over at the height that nobody gave: the empty world is an
+// answer to a question that was not asked.
+void require_bodies_on_plane(const ForeignWorld& read, const ForeignOptions& options,
+                             const ConfigNode& entry) {
+  if (read.bodies_off_plane == 0 || !read.shapes.empty()) return;
+  for (const char* key : {"cruise_height_m", "height_m", "cut"})
+    if (entry.find(key)) return;
+  throw entry.child("world_file")
+      .error("none of its " + std::to_string(read.bodies_off_plane) +
+             " bodies reaches the height of flight, " + number_text(options.height_m) +
+             " m unless cruise_height_m is given (or height_m, or cut: columns for all of them)");
+}
+
 Vec2 given_or(const ConfigNode& entry, const char* key, const std::optional<Vec2>& of_file) {
   if (const auto given = entry.find(key)) return read_point(*given);
   if (!of_file) entry.child(key);  // says that it is missing
@@ -74,13 +87,17 @@ ScenarioSpecs read_world_file_entry(const ConfigNode& entry, const DataLocation&
   TaskConfig task =
       read_task(entry, stem(path), joined(key_names<WorldFileKeys>(), format.options));
   ForeignOptions options = format.defaults;
+  options.cut = BodyCut::plane;
+  options.height_m = task.cruise_height_m;
   read_present_keys(entry, keys_of(options));
   ForeignWorld read = format.read(path, options);
+  require_bodies_on_plane(read, options, entry);
   const auto world = world_of(read, entry);
   const auto queries = entry.find("queries");
   if (!queries)
     return {placed_scenario(task, world, given_or(entry, "start", read.start),
-                            given_or(entry, "goal", read.goal), entry, place)};
+                            given_or(entry, "goal", read.goal), entry, place,
+                            entry.find("start") ? std::nullopt : read.start_heading_rad)};
   for (const char* key : {"start", "goal"})
     if (const auto given = entry.find(key)) throw given->error("cannot stand beside 'queries'");
   ScenarioSpecs specs;

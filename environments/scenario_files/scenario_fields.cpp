@@ -5,9 +5,12 @@
 #include <string_view>
 
 #include "voronaut/environments/config/config_reader.h"
+#include "voronaut/environments/config/file_session.h"
+#include "voronaut/environments/config/input_file.h"
+#include "voronaut/environments/config/label.h"
 #include "voronaut/environments/config/nearest_name.h"
 #include "voronaut/environments/formats/csv_table.h"
-#include "voronaut/environments/scenario_keys.h"
+#include "voronaut/environments/scenario_files/scenario_keys.h"
 
 namespace voronaut {
 namespace {
@@ -17,8 +20,11 @@ constexpr double kFar = kFarthestCoordinate;
 void require_plain(const std::string& name, const ConfigNode& place) {
   constexpr std::string_view kPlain =
       "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-.+";
-  if (name.empty() || name.find_first_not_of(kPlain) != std::string::npos)
-    throw place.error("expected a name of letters, digits and _-.+, got " + in_quotes(name));
+  if (name.empty() || name.size() > kLabelBytesMax ||
+      name.find_first_not_of(kPlain) != std::string::npos)
+    throw place.error("expected a name of letters, digits and _-.+, at most " +
+                      std::to_string(kLabelBytesMax) + ", got " +
+                      in_quotes(name.substr(0, kLabelBytesMax)));
 }
 
 }  // namespace
@@ -58,8 +64,10 @@ std::optional<double> read_heading(const ConfigNode& entry) {
 std::string existing_file(const ConfigNode& node) {
   std::string path = node.beside(node.text());
   std::error_code ignored;
-  if (!std::filesystem::is_regular_file(path, ignored))
-    throw node.error("no file " + in_quotes(path));
+  if (FileSession::copy_of(path) != nullptr) return path;
+  if (!std::filesystem::exists(path, ignored)) throw node.error("no file " + in_quotes(path));
+  if (const std::string problem = input_file_problem(path); !problem.empty())
+    throw node.error(in_quotes(path) + " cannot be read (" + problem + ")");
   return path;
 }
 
@@ -67,7 +75,7 @@ std::string stem(const std::string& path) { return std::filesystem::path(path).s
 
 ScenarioSpec placed_scenario(const TaskConfig& task, const std::shared_ptr<const World>& world,
                              const Vec2& start, const Vec2& goal, const ConfigNode& entry,
-                             const ConfigNode& place) {
+                             const ConfigNode& place, std::optional<double> heading_of_file_rad) {
   const auto require_placed = [&](const char* key, const Vec2& p) {
     const std::string problem = placement_problem(*world, p);
     if (problem.empty()) return;
@@ -76,7 +84,9 @@ ScenarioSpec placed_scenario(const TaskConfig& task, const std::shared_ptr<const
   };
   require_placed("start", start);
   require_placed("goal", goal);
-  return ScenarioSpec::fixed(task, world, start, goal, read_heading(entry));
+  const auto heading_rad = read_heading(entry);
+  return ScenarioSpec::fixed(task, world, start, goal,
+                             heading_rad ? heading_rad : heading_of_file_rad);
 }
 
 }  // namespace voronaut

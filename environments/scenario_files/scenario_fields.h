@@ -27,9 +27,11 @@ std::string existing_file(const ConfigNode& node);
 std::string stem(const std::string& path);
 
 // One world, its start and goal checked: a fault in one of them is reported at its key, or, where
-// the entry has no such key, at `place`.
+// the entry has no such key, at `place`. The heading of the start is the entry's start_heading_rad
+// or, where that is not given, the one of the file that the start comes from, if it has one.
 ScenarioSpec placed_scenario(const TaskConfig& task, const std::shared_ptr<const World>& world,
                              const Vec2& start, const Vec2& goal, const ConfigNode& entry,
-                             const ConfigNode& place);
+                             const ConfigNode& place,
+                             std::optional<double> heading_of_file_rad = {});
 
 }  // namespace voronaut

@@ -6,9 +6,10 @@
 #include "voronaut/environments/config/config_reader.h"
 #include "voronaut/environments/config/nearest_name.h"
 #include "voronaut/environments/formats/csv_table.h"
+#include "voronaut/environments/formats/wkt.h"
 #include "voronaut/environments/scenario_files/foreign_scenarios.h"
 #include "voronaut/environments/scenario_files/scenario_fields.h"
-#include "voronaut/environments/scenario_keys.h"
+#include "voronaut/environments/scenario_files/scenario_keys.h"
 #include "voronaut/environments/world.h"
 
 namespace voronaut {
@@ -51,6 +52,19 @@ Segment read_segment(const ConfigNode& node) {
   return segment;
 }
 
+Shapes read_wkt(const ConfigNode& node) {
+  try {
+    return parse_wkt(node.text());
+  } catch (const std::invalid_argument& error) {
+    throw node.error(error.what());
+  }
+}
+
+void add(const Shapes& more, Shapes& shapes) {
+  shapes.polygons.insert(shapes.polygons.end(), more.polygons.begin(), more.polygons.end());
+  shapes.segments.insert(shapes.segments.end(), more.segments.begin(), more.segments.end());
+}
+
 Shapes read_shapes(const ConfigNode& world) {
   world.allow_only(key_names<ShapeKeys>());
   Shapes shapes;
@@ -62,6 +76,9 @@ Shapes read_shapes(const ConfigNode& world) {
     for (const ConfigNode& item : list->items()) shapes.polygons.push_back(read_polygon(item));
   if (const auto list = world.find("segments"))
     for (const ConfigNode& item : list->items()) shapes.segments.push_back(read_segment(item));
+  if (const auto texts = world.find("wkt"))
+    for (const ConfigNode& item : texts->is_list() ? texts->items() : std::vector{*texts})
+      add(read_wkt(item), shapes);
   return shapes;
 }
 

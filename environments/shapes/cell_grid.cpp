@@ -42,13 +42,14 @@ double CellGrid::enters_at_m(const Vec2& from, const Vec2& per_m) const {
 
 CellGrid::Walk::Walk(const CellGrid& grid, const Vec2& p, const Vec2& direction, double range_m)
     : range_m_(range_m) {
+  if (grid.size() == 0) return;  // end_x_ == x_: never inside
   const Vec2 from = p - grid.origin_;
   const Vec2 per_m(1 / direction.x(), 1 / direction.y());
   Vec2 entry = from;
   if (from.x() < 0 || from.y() < 0 || from.x() >= grid.columns_ * grid.cell_m_ ||
       from.y() >= grid.rows_ * grid.cell_m_) {
     entered_m_ = grid.enters_at_m(from, per_m);
-    if (!(entered_m_ <= range_m)) return;  // end_x_ == x_: never inside
+    if (!(entered_m_ <= range_m)) return;
     entry += entered_m_ * direction;
   }
   x_ = std::clamp(static_cast<int>(entry.x() * grid.cells_per_m_), 0, grid.columns_ - 1);

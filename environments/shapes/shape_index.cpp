@@ -1,6 +1,8 @@
 #include "voronaut/environments/shapes/shape_index.h"
 
 #include <cmath>
+#include <numeric>
+#include <tuple>
 
 namespace voronaut {
 namespace {
@@ -9,9 +11,43 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 // Cells list what comes within this part of a cell too, so that rounding in a walk along cells
 // never passes a primitive by.
 constexpr double kCellMargin = 1e-6;
+// Cells that a primitive is listed in, on average: as many as primitives that keep apart need at
+// the density that is chosen for them. Where they lie over each other, cells become larger instead.
+constexpr double kMostCellsEach = 24;
 
 Bounds hull_of(const Bounds& s, const Bounds& t) {
   return {s.min.cwiseMin(t.min), s.max.cwiseMax(t.max)};
+}
+
+// Without those that are there already, the others in their order. O(n log n).
+std::vector<Circle> distinct(const std::vector<Circle>& circles) {
+  const auto key = [&](std::uint32_t i) {
+    const Circle& c = circles[i];
+    return std::tuple(c.center.x(), c.center.y(), c.radius_m);
+  };
+  std::vector<std::uint32_t> order(circles.size());
+  std::iota(order.begin(), order.end(), 0U);
+  std::sort(order.begin(), order.end(), [&](std::uint32_t i, std::uint32_t j) {
+    return key(i) != key(j) ? key(i) < key(j) : i < j;
+  });
+  std::vector<bool> repeats(circles.size(), false);
+  for (std::size_t k = 1; k < order.size(); ++k)
+    repeats[order[k]] = key(order[k]) == key(order[k - 1]);
+  std::vector<Circle> kept;
+  kept.reserve(circles.size());
+  for (std::size_t i = 0; i < circles.size(); ++i)
+    if (!repeats[i]) kept.push_back(circles[i]);
+  return kept;
+}
+
+// Cells of that size in which areas are listed.
+double cells_listed(const std::vector<Bounds>& areas, double cell_m) {
+  double cells = 0;
+  for (const Bounds& area : areas) {
+    const Vec2 size_m = area.max - area.min;
+    cells += (size_m.x() / cell_m + 1) * (size_m.y() / cell_m + 1);
+  }
+  return cells;
 }
 
 // The straight way of a disc, with coordinates along it and across.
@@ -67,7 +103,7 @@ ShapeIndex::CellLists ShapeIndex::list(ForEach&& each) const {
 }
 
 ShapeIndex::ShapeIndex(const Shapes& shapes, double cell_m)
-    : circles_(shapes.circles), edges_(shapes.segments) {
+    : circles_(distinct(shapes.circles)), edges_(shapes.segments) {
   for (const Polygon& polygon : shapes.polygons) {
     const auto first = static_cast<std::uint32_t>(edges_.size());
     for (std::size_t i = 0; i < polygon.vertices.size(); ++i) edges_.push_back(edge(polygon, i));
@@ -110,6 +146,19 @@ void ShapeIndex::lay_out_cells(double cell_m) {
   if (cell_m <= 0) cell_m = std::sqrt(size_m.x() * size_m.y() / count) / 2;
   if (cell_m <= 0) cell_m = std::max(size_m.maxCoeff() / count, 1.0);
   while ((size_m.x() / cell_m + 1) * (size_m.y() / cell_m + 1) > 5 * count + 64) cell_m *= 1.25;
+  // Edges are listed along their way only: twice their length is a bound for them.
+  std::vector<Bounds> areas;
+  double edges_m = 0;
+  for (const Circle& circle : circles_) areas.push_back(bounds_of(circle));
+  for (const Segment& e : edges_) edges_m += (e.b - e.a).norm();
+  for (const Solid& solid : solids_) {
+    Bounds around = bounds_of(edges_[solid.first_edge]);
+    for (std::uint32_t i = solid.first_edge; i < solid.last_edge; ++i)
+      around = hull_of(around, bounds_of(edges_[i]));
+    areas.push_back(around);
+  }
+  while (cells_listed(areas, cell_m) + 2 * edges_m / cell_m > kMostCellsEach * count + 64)
+    cell_m *= 1.25;
   grid_ = CellGrid(grown(area, kCellMargin * cell_m), cell_m);
 }
 

@@ -5,6 +5,8 @@
 #include <string>
 #include <utility>
 
+#include "voronaut/environments/shapes/polygon_validity.h"
+
 namespace voronaut {
 namespace {
 
@@ -49,22 +51,8 @@ void require_simple(const Polygon& polygon, std::size_t index) {
     const Segment e = edge(polygon, i);
     if (e.a == e.b) reject("polygon", index, "repeats vertex " + std::to_string(i));
   }
-  for (std::size_t i = 0; i < n; ++i) {
-    const std::size_t next = i + 1 < n ? i + 1 : 0;
-    const Segment e = edge(polygon, i);
-    const Segment onward = edge(polygon, next);
-    if (cross(e.b - e.a, onward.b - onward.a) == 0 && (e.b - e.a).dot(onward.b - onward.a) < 0) {
-      reject("polygon", index, "folds back at vertex " + std::to_string(next));
-    }
-    const std::size_t last = i == 0 ? n - 1 : n;  // the last edge is the first one's neighbour
-    for (std::size_t j = i + 2; j < last; ++j) {
-      if (meet(e, edge(polygon, j))) {
-        reject(
-            "polygon", index,
-            "crosses itself: edges " + std::to_string(i) + " and " + std::to_string(j) + " meet");
-      }
-    }
-  }
+  if (const std::string problem = validity_problem(polygon); !problem.empty())
+    reject("polygon", index, problem);
 }
 
 }  // namespace

@@ -1,17 +1,13 @@
 #include "voronaut/planners/navigation/plan_request.h"
 
+#include <stdexcept>
 #include <utility>
 
-#include <ompl/base/goals/GoalState.h>
-
 #include "voronaut/planners/catalog/planner_insight.h"
-#include "voronaut/planners/problem/path_conversion.h"
-#include "voronaut/planners/problem/planar_state.h"
 #include "voronaut/planners/problem/solution_path.h"
 
 namespace voronaut {
 namespace ob = ompl::base;
-namespace og = ompl::geometric;
 
 namespace {
 
@@ -29,8 +25,7 @@ PlanStatus status_without_path(const ob::PlannerStatus& solved) {
 
 // A path may end anywhere within the goal's tolerance, and who stops at its edge has not arrived.
 Path led_on_to_goal(Path path, const PlanningProblem& problem) {
-  const auto* goal = problem.definition()->getGoal()->as<ob::GoalState>();
-  const Vec2 place = position_of(*problem.space_information()->getStateSpace(), goal->getState());
+  const Vec2& place = problem.request().place_world;
   if (path.back() != place && problem.geometry().motion_is_clear(path.back(), place))
     path.append({.start = path.back(), .end = place});
   return path;
@@ -52,8 +47,11 @@ Plan ask_for_plan(ob::Planner& planner, const PlannerTraits& traits, PlanningPro
 
   const bool next_leg =
       traits.plans_on_every_scan && solved == ob::PlannerStatus::APPROXIMATE_SOLUTION;
-  const og::PathGeometric* found = next_leg ? &solution_path(solved, *problem.definition())
-                                            : path_to_goal(solved, *problem.definition());
+  const SolutionPath found =
+      solution_path(solved, *problem.definition(), *problem.space_information()->getStateSpace(),
+                    problem.request(), problem.geometry());
+  if (next_leg && found.p_world.empty())
+    throw std::runtime_error("the planner says that it has a next leg but has added no path");
 
   Plan plan;
   plan.end = end;
@@ -63,8 +61,9 @@ Plan ask_for_plan(ob::Planner& planner, const PlannerTraits& traits, PlanningPro
     plan.mode = insight->mode();
     if (!solved && insight->proved_no_path()) plan.status = PlanStatus::infeasible;
   }
-  if (found != nullptr) {
-    plan.path = to_path(*found, *problem.space_information()->getStateSpace());
+  if (!found.flaw.empty()) plan.refusal = solved.asString() + ", but " + found.flaw;
+  if (next_leg || found.to_goal) {
+    plan.path = Path::through(found.p_world);
     if (!plan.path.empty()) plan.status = next_leg ? PlanStatus::partial : PlanStatus::to_goal;
   }
   if (plan.status == PlanStatus::to_goal && !traits.plans_on_every_scan)

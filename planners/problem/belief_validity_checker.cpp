@@ -39,7 +39,7 @@ bool BeliefValidityChecker::isValid(const ob::State* state) const {
   count();
   if (!si_->satisfiesBounds(state)) return false;
   const Vec2 p = position_of(*si_->getStateSpace(), state);
-  return obstacles_.disc_is_clear(p, relaxation_.clearance_at_m(p));
+  return p.allFinite() && obstacles_.disc_is_clear(p, relaxation_.clearance_at_m(p));
 }
 
 double BeliefValidityChecker::clearance(const ob::State* state) const {

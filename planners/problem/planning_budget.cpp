@@ -94,7 +94,7 @@ double BudgetMeter::seconds_spent() const { return spending_->seconds(); }
 
 namespace {
 
-// Any path will do. Planners read the objective when they are set up for the problem.
+// Any path will do.
 void be_content_with_any_path(const ob::ProblemDefinitionPtr& definition) {
   auto length =
       std::make_shared<ob::PathLengthOptimizationObjective>(definition->getSpaceInformation());
@@ -124,16 +124,23 @@ void note(const std::string& best_cost, const BudgetMeter& meter,
     improvements.push_back({meter.state_checks_spent(), meter.seconds_spent(), cost});
 }
 
+bool ends_at_first(const ob::Planner& planner, PlanningBudget::Stop stop) {
+  return stop == PlanningBudget::Stop::first && planner.getSpecs().optimizingPaths;
+}
+
 }  // namespace
+
+void set_up(ob::Planner& planner, PlanningBudget::Stop stop) {
+  if (ends_at_first(planner, stop)) be_content_with_any_path(planner.getProblemDefinition());
+  planner.setup();
+}
 
 SolveReport solve_within(ob::Planner& planner, const BudgetMeter& meter,
                          std::vector<Improvement>* improvements) {
-  const bool first =
-      meter.stop() == PlanningBudget::Stop::first && planner.getSpecs().optimizingPaths;
+  const bool first = ends_at_first(planner, meter.stop());
   ob::PlannerTerminationCondition condition = meter.condition();
-  if (first && !planner.isSetup()) be_content_with_any_path(planner.getProblemDefinition());
   // Not every planner does this when it solves: QRRT and AnytimePathShortening of OMPL 1.5.2.
-  if (!planner.isSetup()) planner.setup();
+  if (!planner.isSetup()) set_up(planner, meter.stop());
   // A property is read between the steps of the search: not where several threads search.
   const auto best_cost = planner.getSpecs().multithreaded ? nullptr : best_cost_of(planner);
   if (best_cost && (first || improvements != nullptr)) {

@@ -95,9 +95,12 @@ struct Improvement {
   double cost = 0;    // of the objective: metres
 };
 
-// Solves within the meter's budget. Stop::first gives anytime planners an objective that every
-// path satisfies, and ends those that do not care for it (LBTRRT, LazyLBTRRT) as soon as their
-// progress property "best cost" is finite.
+// Sets a planner up for its problem definition, as solve_within() does if that is not done yet.
+// Stop::first gives anytime planners an objective that every path satisfies; they read it here.
+void set_up(ompl::base::Planner& planner, PlanningBudget::Stop stop);
+
+// Solves within the meter's budget. Stop::first sets up as above, and ends those that do not care
+// for it (LBTRRT, LazyLBTRRT) as soon as their progress property "best cost" is finite.
 //
 // `improvements`, if given, gets each better cost that the planner tells by that property, seen
 // once per evaluation of the termination condition; nothing of planners without it or with threads.

@@ -1,6 +1,5 @@
 #include "voronaut/planners/problem/problem.h"
 
-#include <ompl/base/goals/GoalState.h>
 #include <ompl/base/spaces/RealVectorStateProjections.h>
 #include <ompl/base/spaces/RealVectorStateSpace.h>
 
@@ -51,12 +50,8 @@ PlanningProblem::PlanningProblem(const ProblemConfig& config) : config_(config) 
   si_->setup();
 
   definition_ = std::make_shared<ob::ProblemDefinition>(si_);
-  auto goal = std::make_shared<ob::GoalState>(si_);
-  ob::ScopedState<> goal_state(si_);
-  set_position(*space, goal_state.get(), config.goal_world);
-  goal->setState(goal_state);
-  goal->setThreshold(config.goal_tolerance_m);
-  definition_->setGoal(goal);
+  goal_ = std::make_shared<ob::GoalState>(si_);
+  pose_goal(config.goal_world);
 }
 
 PlanningProblem::~PlanningProblem() = default;
@@ -82,9 +77,18 @@ void PlanningProblem::pose_problem(const Vec2& start_world) {
       place_for_goal(config_.goal_world, config_.goal_tolerance_m, config_.bounds_world,
                      checker_->known_obstacles(), config_.clearance_min_m);
   goal_has_place_ = place.has_value();
+  pose_goal(place.value_or(config_.goal_world));
+  request_ = {start_world, config_.goal_world, place.value_or(config_.goal_world),
+              config_.goal_tolerance_m, config_.bounds_world};
+}
+
+// Anew for each solve, as the planner of the last one had it in its hands.
+void PlanningProblem::pose_goal(const Vec2& place_world) {
   ob::ScopedState<> goal(si_);
-  set_position(*si_->getStateSpace(), goal.get(), place.value_or(config_.goal_world));
-  definition_->getGoal()->as<ob::GoalState>()->setState(goal);
+  set_position(*si_->getStateSpace(), goal.get(), place_world);
+  goal_->setState(goal);
+  goal_->setThreshold(config_.goal_tolerance_m);
+  definition_->setGoal(goal_);
 }
 
 BudgetMeter PlanningProblem::meter(const PlanningBudget& budget) const {

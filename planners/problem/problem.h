@@ -7,10 +7,12 @@
 #include <ompl/base/Planner.h>
 #include <ompl/base/ProblemDefinition.h>
 #include <ompl/base/SpaceInformation.h>
+#include <ompl/base/goals/GoalState.h>
 
 #include "voronaut/environments/shapes/geometry.h"
 #include "voronaut/planners/problem/belief.h"
 #include "voronaut/planners/problem/known_geometry.h"
+#include "voronaut/planners/problem/path_request.h"
 #include "voronaut/planners/problem/planning_budget.h"
 
 // A planning problem over what is known: known obstacles (unknown counts as free), a start, a goal,
@@ -47,6 +49,9 @@ class PlanningProblem {
   // path.
   bool goal_has_place() const { return goal_has_place_; }
 
+  // What paths are judged by: nothing that a planner does to definition() changes it.
+  const PathRequest& request() const { return request_; }
+
   // Counts a solve's work from now on. Valid as long as the problem lives.
   BudgetMeter meter(const PlanningBudget& budget) const;
 
@@ -61,10 +66,13 @@ class PlanningProblem {
 
  private:
   void pose_problem(const Vec2& start_world);
+  void pose_goal(const Vec2& place_world);
 
   ProblemConfig config_;
+  PathRequest request_;
   ompl::base::SpaceInformationPtr si_;
   ompl::base::ProblemDefinitionPtr definition_;
+  std::shared_ptr<ompl::base::GoalState> goal_;
   std::shared_ptr<BeliefValidityChecker> checker_;
   bool goal_has_place_ = true;
 };

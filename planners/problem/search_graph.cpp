@@ -1,6 +1,7 @@
 #include "voronaut/planners/problem/search_graph.h"
 
 #include <algorithm>
+#include <exception>
 #include <set>
 #include <utility>
 
@@ -13,7 +14,11 @@ namespace ob = ompl::base;
 
 std::vector<Segment> search_graph(const ob::Planner& planner, const ob::StateSpace& space) {
   ob::PlannerData data(planner.getSpaceInformation());
-  planner.getPlannerData(data);
+  try {
+    planner.getPlannerData(data);
+  } catch (const std::exception&) {
+    return {};
+  }
   const auto place = [&](unsigned vertex) {
     return position_of(space, data.getVertex(vertex).getState());
   };
@@ -24,8 +29,9 @@ std::vector<Segment> search_graph(const ob::Planner& planner, const ob::StateSpa
     data.getEdges(from, neighbours);
     std::sort(neighbours.begin(), neighbours.end());
     for (const unsigned to : neighbours) {
-      if (from != to && seen.insert(std::minmax(from, to)).second)
-        edges.push_back({place(from), place(to)});
+      if (from == to || !seen.insert(std::minmax(from, to)).second) continue;
+      const Segment edge{place(from), place(to)};
+      if (edge.a.allFinite() && edge.b.allFinite()) edges.push_back(edge);
     }
   }
   return edges;

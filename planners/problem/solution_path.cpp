@@ -2,40 +2,34 @@
 
 #include <stdexcept>
 
+#include <ompl/geometric/PathGeometric.h>
+
+#include "voronaut/planners/problem/path_conversion.h"
+
 namespace voronaut {
 
 namespace ob = ompl::base;
-namespace og = ompl::geometric;
 
-namespace {
-
-const og::PathGeometric* added_path(const ob::ProblemDefinition& problem) {
-  const auto* path = dynamic_cast<const og::PathGeometric*>(problem.getSolutionPath().get());
-  return path == nullptr || path->getStateCount() == 0 ? nullptr : path;
-}
-
-bool reaches_goal(const og::PathGeometric& path, const ob::ProblemDefinition& problem) {
-  const auto last = static_cast<unsigned>(path.getStateCount() - 1);
-  return problem.getGoal()->isSatisfied(path.getState(last)) && path.check();
-}
-
-}  // namespace
-
-const og::PathGeometric& solution_path(const ob::PlannerStatus& status,
-                                       const ob::ProblemDefinition& problem) {
-  const auto* path = added_path(problem);
-  if (path == nullptr)
-    throw std::runtime_error("the planner says '" + status.asString() +
-                             "' but has added no geometric path");
-  return *path;
-}
-
-const og::PathGeometric* path_to_goal(const ob::PlannerStatus& status,
-                                      const ob::ProblemDefinition& problem) {
-  if (status == ob::PlannerStatus::EXACT_SOLUTION) return &solution_path(status, problem);
-  if (status != ob::PlannerStatus::APPROXIMATE_SOLUTION) return nullptr;
-  const auto* path = added_path(problem);
-  return path != nullptr && reaches_goal(*path, problem) ? path : nullptr;
+SolutionPath solution_path(const ob::PlannerStatus& status, const ob::ProblemDefinition& problem,
+                           const ob::StateSpace& space, const PathRequest& request,
+                           const KnownGeometry& geometry) {
+  SolutionPath solution;
+  const auto* path =
+      dynamic_cast<const ompl::geometric::PathGeometric*>(problem.getSolutionPath().get());
+  if (path != nullptr) solution.p_world = positions_of(*path, space);
+  const auto breach = [&status](const char* what) {
+    return std::runtime_error("the planner says '" + status.asString() + "' but " + what);
+  };
+  const bool exact = status == ob::PlannerStatus::EXACT_SOLUTION;
+  if (exact && solution.p_world.empty()) throw breach("has added no geometric path");
+  for (const Vec2& p : solution.p_world) {
+    if (!is_place(p)) throw breach("its path has a position that is no place");
+  }
+  if (!exact && status != ob::PlannerStatus::APPROXIMATE_SOLUTION) return solution;
+  const std::string flaw = flaw_of(solution.p_world, request);
+  solution.to_goal = flaw.empty() && (exact || is_clear(solution.p_world, request, geometry));
+  if (exact) solution.flaw = flaw;
+  return solution;
 }
 
 }  // namespace voronaut

@@ -20,8 +20,10 @@ SweptDiscMotionValidator::SweptDiscMotionValidator(const ob::SpaceInformationPtr
 
 bool SweptDiscMotionValidator::is_clear(const ob::State* s1, const ob::State* s2) const {
   const ob::StateSpace& space = *si_->getStateSpace();
-  return si_->satisfiesBounds(s2) &&
-         geometry_.motion_is_clear(position_of(space, s1), position_of(space, s2));
+  const Vec2 a = position_of(space, s1);
+  const Vec2 b = position_of(space, s2);
+  // What is no number passes OMPL's comparison with the bounds.
+  return si_->satisfiesBounds(s2) && (b - a).allFinite() && geometry_.motion_is_clear(a, b);
 }
 
 bool SweptDiscMotionValidator::checkMotion(const ob::State* s1, const ob::State* s2) const {

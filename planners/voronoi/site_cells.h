@@ -32,7 +32,7 @@ class SiteCells {
   double cell_m_ = 1;
   int columns_ = 1;
   int rows_ = 1;
-  std::vector<std::int32_t> head_;
+  std::vector<std::int32_t> head_ = {-1};  // before a reset() one cell without points
   std::vector<std::int32_t> next_;
   std::vector<Vec2> points_;
 };

@@ -1,6 +1,6 @@
 #include "voronaut/reports/export/ompl_log.h"
 
-#include "voronaut/reports/encoding/column_text.h"
+#include "voronaut/reports/record_columns.h"
 
 namespace voronaut {
 namespace {
@@ -51,10 +51,10 @@ std::string ompl_log(const PlannerBenchmark& benchmark) {
                     "\nRunning on " + benchmark.host + "\nStarting at " + benchmark.date + "\n";
   log += block(benchmark.setup) + block(benchmark.processor);
   log += std::to_string(benchmark.seed) + " is the random seed\n";
-  log += column_text(benchmark.time_limit_s) + " seconds per run\n";
-  log += column_text(benchmark.memory_limit_mb) + " MB per run\n";
+  log += cell_text(benchmark.time_limit_s) + " seconds per run\n";
+  log += cell_text(benchmark.memory_limit_mb) + " MB per run\n";
   log += std::to_string(benchmark.runs_per_planner) + " runs per planner\n";
-  log += column_text(benchmark.total_time_s) + " seconds spent to collect the data\n";
+  log += cell_text(benchmark.total_time_s) + " seconds spent to collect the data\n";
   log += "1 enum type\n" + benchmark.enum_name;
   for (const std::string& word : benchmark.enum_words) log += "|" + word;
   log += "\n" + std::to_string(benchmark.planners.size()) + " planners\n";

@@ -4,9 +4,8 @@
 #include <cmath>
 #include <map>
 #include <string_view>
-#include <type_traits>
 
-#include "voronaut/reports/encoding/column_text.h"
+#include "voronaut/reports/record_columns.h"
 
 namespace voronaut {
 namespace {
@@ -18,11 +17,10 @@ bool is_left_out(std::string_view column) {
   return std::find(std::begin(kLeftOut), std::end(kLeftOut), column) != std::end(kLeftOut);
 }
 
-template <class Value>
-std::string type_of() {
-  if (std::is_same_v<Value, Outcome>) return "ENUM";
-  if (std::is_same_v<Value, std::int64_t>) return "INTEGER";
-  return std::is_same_v<Value, double> ? "REAL" : "STRING";
+std::string type_of(const RecordColumn& column) {
+  if (std::holds_alternative<Outcome RunRecord::*>(column.member)) return "ENUM";
+  if (std::holds_alternative<std::int64_t RunRecord::*>(column.member)) return "INTEGER";
+  return std::holds_alternative<double RunRecord::*>(column.member) ? "REAL" : "STRING";
 }
 
 // The formats end a value at these.
@@ -32,20 +30,14 @@ std::string plain(std::string text) {
   return text;
 }
 
-std::string finite_text(double value) { return std::isfinite(value) ? column_text(value) : ""; }
+std::string finite_text(double value) { return std::isfinite(value) ? cell_text(value) : ""; }
 
-template <class Value>
-std::string text_of(const Value& value) {
-  if constexpr (std::is_same_v<Value, Outcome>) {
-    const auto at = std::find(kOutcomes.begin(), kOutcomes.end(), value);
-    return std::to_string(at - kOutcomes.begin());
-  } else if constexpr (std::is_same_v<Value, std::int64_t>) {
-    return std::to_string(value);
-  } else if constexpr (std::is_same_v<Value, double>) {
-    return finite_text(value);
-  } else {
-    return plain(value);
-  }
+std::string text_of(const RunRecord& record, const RecordColumn& column) {
+  if (std::holds_alternative<Outcome RunRecord::*>(column.member))
+    return std::to_string(static_cast<int>(record.outcome));
+  if (const auto* number = std::get_if<double RunRecord::*>(&column.member))
+    return finite_text(record.*(*number));
+  return plain(cell_text(record, column));
 }
 
 std::string column_name(std::string_view name) {
@@ -64,10 +56,8 @@ const std::vector<BenchmarkColumn> kOfStaticPlans = {{"approximate_solution", "B
 std::vector<BenchmarkColumn> run_columns(bool static_planning) {
   std::vector<BenchmarkColumn> columns = kAlways;
   if (static_planning) columns.insert(columns.end(), kOfStaticPlans.begin(), kOfStaticPlans.end());
-  RunRecord().visit([&](const char* name, const auto& value, ColumnKind) {
-    if (!is_left_out(name))
-      columns.push_back({column_name(name), type_of<std::remove_cvref_t<decltype(value)>>()});
-  });
+  for (const RecordColumn& column : record_columns())
+    if (!is_left_out(column.name)) columns.push_back({column_name(column.name), type_of(column)});
   return columns;
 }
 
@@ -88,9 +78,8 @@ BenchmarkRow run_row(const RunRecord& record, bool static_planning) {
                       flag(record.outcome == Outcome::goal_reached)};
   if (static_planning)
     for (std::string& value : plan_found(record)) row.push_back(std::move(value));
-  record.visit([&](const char* name, const auto& value, ColumnKind) {
-    if (!is_left_out(name)) row.push_back(text_of(value));
-  });
+  for (const RecordColumn& column : record_columns())
+    if (!is_left_out(column.name)) row.push_back(text_of(record, column));
   return row;
 }
 
@@ -138,7 +127,7 @@ const std::vector<BenchmarkColumn> kPlanProgress = {
 
 void add_stored_runs(const ResultStore& store, PlannerBenchmark& benchmark) {
   benchmark.enum_name = "status";
-  for (const Outcome outcome : kOutcomes) benchmark.enum_words.emplace_back(to_string(outcome));
+  for (const OutcomeEntry& entry : kOutcomes) benchmark.enum_words.emplace_back(entry.name);
   benchmark.run_columns = run_columns(benchmark.static_planning);
   benchmark.progress_columns = benchmark.static_planning ? kPlanProgress : kFlightProgress;
   std::map<std::string, TracePoint> goals;

@@ -29,39 +29,6 @@ std::string px(double value) {
   return buffer.data();
 }
 
-// The sign drawn where a trial failed; letters where no common sign says it.
-std::string_view sign_of(Outcome outcome) {
-  switch (outcome) {
-    case Outcome::goal_reached:
-      return "";
-    case Outcome::collision:
-      return "\xe2\x9c\x95";
-    case Outcome::out_of_bounds:
-      return "\xe2\x86\x97";
-    case Outcome::timeout:
-      return "T";
-    case Outcome::stuck:
-      return "S";
-    case Outcome::infeasible:
-      return "\xe2\x88\x85";
-    case Outcome::invalid:
-      return "?";
-    case Outcome::killed:
-      return "K";
-    case Outcome::crash:
-      return "!";
-    case Outcome::memory:
-      return "M";
-  }
-  return "?";
-}
-
-std::string words_of(Outcome outcome) {
-  std::string words(to_string(outcome));
-  std::replace(words.begin(), words.end(), '_', ' ');
-  return words;
-}
-
 struct Style {
   std::string stroke;  // attributes
   std::string colour;
@@ -148,9 +115,10 @@ class Figure {
       body_ += "<circle cx=\"" + px(view.x(x_m)) + "\" cy=\"" + px(view.y(y_m)) + "\" r=\"" +
                px(radius_m * view.scale) + "\"/>\n";
     }
-    for (const auto& polygon : world.polygons) {
-      body_ += "<path d=\"" + path(view, polygon, true) + "\"/>\n";
-    }
+    // One path: rings that run clockwise are holes in those around them.
+    std::string rings;
+    for (const auto& polygon : world.polygons) rings += path(view, polygon, true);
+    if (!rings.empty()) body_ += "<path d=\"" + rings + "\"/>\n";
     for (const auto& segment : world.segments) {
       body_ += "<path stroke-width=\"3\" d=\"" + path(view, segment, false) + "\"/>\n";
     }
@@ -185,7 +153,7 @@ class Figure {
              px(std::max(2.0, track.trace.body_radius_m * view.scale)) + "\" fill=\"" +
              style.colour + "\" fill-opacity=\"0.2\" stroke=\"" + style.colour + "\"/>\n";
     text(view.x(end.x_m), view.y(end.y_m) + 0.55 * config_.font_size_px,
-         std::string(sign_of(track.outcome)),
+         std::string(entry_of(track.outcome).failure ? entry_of(track.outcome).sign : ""),
          "text-anchor=\"middle\" font-weight=\"700\" font-size=\"" +
              px(1.5 * config_.font_size_px) + "\" fill=\"" + style.colour +
              "\" stroke=\"#ffffff\" stroke-width=\"3\" paint-order=\"stroke\"");
@@ -245,9 +213,10 @@ class Figure {
       std::string words = label;
       for (const FigurePanel& panel : panels_) {
         for (const FigureTrack& t : panel.tracks) {
-          if (t.label == label && t.outcome != Outcome::goal_reached) {
-            words += std::string("; ") + std::string(sign_of(t.outcome)) + " " +
-                     words_of(t.outcome) + (panels_.size() > 1 ? " in " + panel.title : "");
+          const OutcomeEntry& ended = entry_of(t.outcome);
+          if (t.label == label && ended.failure) {
+            words.append("; ").append(ended.sign).append(" ").append(ended.words);
+            words += panels_.size() > 1 ? " in " + panel.title : "";
           }
         }
       }

@@ -23,7 +23,7 @@ SceneKey scene_key(const RunRecord& r) { return {r.scenario, r.vehicle, r.regula
 
 SampleKey sample_key(const RunRecord& r) { return {r.scenario, r.vehicle, r.regulator, r.planner}; }
 
-bool failed(const RunRecord& r) { return r.outcome != Outcome::goal_reached; }
+bool failed(const RunRecord& r) { return entry_of(r.outcome).failure; }
 
 bool earlier(const RunRecord* a, const RunRecord* b) {
   return std::tie(a->repetition, a->planner, a->trial_id) <

@@ -5,10 +5,10 @@
 #include <cstdio>
 #include <cstdlib>
 #include <map>
-#include <type_traits>
 
 #include "voronaut/reports/encoding/deflate.h"
 #include "voronaut/reports/encoding/json_text.h"
+#include "voronaut/reports/record_columns.h"
 #include "voronaut/reports/summary/summary_text.h"
 #include "voronaut/reports/trace/trace_json.h"
 
@@ -42,59 +42,49 @@ class TextColumn {
   json index_ = json::array();
 };
 
-template <class Member>
-json column_to_json(const std::vector<RunRecord>& records, Member&& member) {
-  using Value = std::remove_cvref_t<decltype(member(RunRecord()))>;
-  if constexpr (std::is_same_v<Value, double>) {
-    json numbers = json::array();
-    for (const RunRecord& record : records) {
-      const double value = member(record);
-      numbers.push_back(std::isfinite(value) ? json(seven_digits(value)) : json(nullptr));
-    }
-    return numbers;
-  } else {
-    TextColumn column;
-    for (const RunRecord& record : records) {
-      if constexpr (std::is_same_v<Value, Outcome>) {
-        column.push(std::string(to_string(member(record))));
-      } else if constexpr (std::is_same_v<Value, std::int64_t>) {
-        column.push(std::to_string(member(record)));  // a seed has more digits than a double
-      } else {
-        column.push(member(record));
-      }
-    }
-    return column.take();
+json numbers_to_json(const std::vector<RunRecord>& records, double RunRecord::*member) {
+  json numbers = json::array();
+  for (const RunRecord& record : records) {
+    const double value = record.*member;
+    numbers.push_back(std::isfinite(value) ? json(seven_digits(value)) : json(nullptr));
   }
-}
-
-// RunRecord::visit hands out one record's members; this turns the walk to one column of all
-// records.
-template <class Value>
-const Value& member_at(const RunRecord& record, std::size_t wanted) {
-  const Value* found = nullptr;
-  std::size_t position = 0;
-  record.visit([&](const char*, const auto& value, ColumnKind) {
-    if constexpr (std::is_same_v<std::remove_cvref_t<decltype(value)>, Value>) {
-      found = position == wanted ? &value : found;
-    }
-    ++position;
-  });
-  return *found;
+  return numbers;
 }
 
 json trials_to_json(const std::vector<RunRecord>& records) {
   json columns = json::object();
-  std::size_t position = 0;
-  RunRecord().visit([&](const std::string& name, const auto& value, ColumnKind) {
-    using Value = std::remove_cvref_t<decltype(value)>;
-    if (name != "state_digest") {
-      columns[name] = column_to_json(records, [position](const RunRecord& record) -> const Value& {
-        return member_at<Value>(record, position);
-      });
+  for (const RecordColumn& column : record_columns()) {
+    if (column.name == "state_digest") continue;
+    json& written = columns[std::string(column.name)];
+    if (const auto* number = std::get_if<double RunRecord::*>(&column.member)) {
+      written = numbers_to_json(records, *number);
+      continue;
     }
-    ++position;
-  });
+    TextColumn texts;  // integers too: a seed has more digits than a double
+    for (const RunRecord& record : records) texts.push(cell_text(record, column));
+    written = texts.take();
+  }
   return columns;
+}
+
+json columns_to_json() {
+  json columns = json::object();
+  for (const RecordColumn& column : record_columns())
+    columns[std::string(column.name)] = {{"unit", column.unit}, {"about", column.about}};
+  return columns;
+}
+
+json outcomes_to_json() {
+  json outcomes = json::array();
+  for (const OutcomeEntry& entry : kOutcomes)
+    outcomes.push_back({{"name", entry.name},
+                        {"words", entry.words},
+                        {"sign", entry.sign},
+                        {"colour", entry.colour},
+                        {"colour_on_dark", entry.colour_on_dark},
+                        {"failure", entry.failure},
+                        {"meaning", entry.meaning}});
+  return outcomes;
 }
 
 json manifest_to_json(const std::string& text) {
@@ -111,10 +101,8 @@ std::string report_data_json(const ReportInput& input) {
   json out;
   out["title"] = input.title;
   out["manifest"] = manifest_to_json(input.manifest_json);
-  out["outcomes"] = json::array();
-  for (const Outcome outcome : kOutcomes) {
-    out["outcomes"].push_back(to_string(outcome));
-  }
+  out["columns"] = columns_to_json();
+  out["outcomes"] = outcomes_to_json();
   out["summary"] = json::parse(summary_json(input.summary));
   out["trials"] = trials_to_json(input.records);
   out["worlds"] = json::array();

@@ -1,16 +1,15 @@
 #include "voronaut/reports/store/csv_writer.h"
 
-#include <type_traits>
-
-#include "voronaut/reports/encoding/column_text.h"
+#include "voronaut/reports/record_columns.h"
 
 namespace voronaut {
 
 std::string csv_field(std::string_view text) {
+  const bool guarded = text.find_first_of("=+-@\t\r'") == 0;
   if (text.find_first_of(",\"\r\n") == std::string_view::npos) {
-    return std::string(text);
+    return (guarded ? "'" : "") + std::string(text);
   }
-  std::string quoted = "\"";
+  std::string quoted = guarded ? "\"'" : "\"";
   for (const char c : text) {
     quoted.append(c == '"' ? 2 : 1, c);
   }
@@ -19,28 +18,15 @@ std::string csv_field(std::string_view text) {
 
 std::string records_to_csv(const std::vector<RunRecord>& records) {
   std::string csv;
-  const auto put = [&csv](std::string_view field, bool& first) {
-    csv.append(first ? "" : ",").append(field);
-    first = false;
-  };
-  bool first = true;
-  RunRecord().visit([&](const char* name, const auto&, ColumnKind) { put(name, first); });
+  for (const RecordColumn& column : record_columns())
+    csv.append(csv.empty() ? "" : ",").append(column.name);
   csv += "\r\n";
   for (const RunRecord& record : records) {
-    first = true;
-    record.visit([&](const char*, const auto& value, ColumnKind) {
-      using Value = std::remove_cvref_t<decltype(value)>;
-      if constexpr (std::is_same_v<Value, Outcome>) {
-        put(to_string(value), first);
-      } else if constexpr (std::is_same_v<Value, std::int64_t>) {
-        put(std::to_string(value), first);
-      } else if constexpr (std::is_same_v<Value, double>) {
-        put(column_text(value), first);
-      } else {
-        put(csv_field(value), first);
-      }
-    });
-    csv += "\r\n";
+    std::string line;
+    for (const RecordColumn& column : record_columns())
+      line +=
+          (&column == &record_columns().front() ? "" : ",") + csv_field(cell_text(record, column));
+    csv += line + "\r\n";
   }
   return csv;
 }

@@ -8,8 +8,10 @@
 
 namespace voronaut {
 
-// A field as RFC 4180 wants it: in quotes, quotes doubled, if it holds a comma, a quote or a line
-// break.
+// A text field as RFC 4180 wants it: in quotes, quotes doubled, if it holds a comma, a quote or a
+// line break. One that begins with = + - @, a tab, a carriage return or an apostrophe gets an
+// apostrophe in front, so that no spreadsheet takes it for a formula; taking one apostrophe off
+// gives the text back.
 std::string csv_field(std::string_view text);
 
 // One header line with the names of RunRecord::visit, then one line per record, in the given order.

@@ -1,6 +1,7 @@
 #include "voronaut/reports/store/sqlite.h"
 
 #include <cmath>
+#include <cstring>
 #include <limits>
 #include <utility>
 
@@ -41,8 +42,18 @@ void Database::execute(const std::string& sql) {
   }
 }
 
+bool Database::is_at_its_path() const {
+  int moved = 0;
+  sqlite3_file_control(handle_, "main", SQLITE_FCNTL_HAS_MOVED, &moved);
+  return moved == 0;
+}
+
 void Database::fail(std::string_view what) const {
-  throw StoreError(file_ + ": " + std::string(what) + ": " + sqlite3_errmsg(handle_));
+  const int code = sqlite3_errcode(handle_) & 0xff;
+  const int reason = sqlite3_system_errno(handle_);
+  const bool of_system = reason != 0 && (code == SQLITE_IOERR || code == SQLITE_CANTOPEN);
+  throw StoreError(file_ + ": " + std::string(what) + ": " + sqlite3_errmsg(handle_) +
+                   (of_system ? " (" + std::string(std::strerror(reason)) + ")" : ""));
 }
 
 Statement::Statement(const Database& database, const std::string& sql) : database_(database) {
@@ -96,6 +107,21 @@ bool Statement::step() {
 void Statement::reset() {
   sqlite3_reset(handle_);
   sqlite3_clear_bindings(handle_);
+}
+
+Statement::Type Statement::type(int column) const {
+  switch (sqlite3_column_type(handle_, column)) {
+    case SQLITE_INTEGER:
+      return Type::integer;
+    case SQLITE_FLOAT:
+      return Type::real;
+    case SQLITE_TEXT:
+      return Type::text;
+    case SQLITE_BLOB:
+      return Type::blob;
+    default:
+      return Type::null;
+  }
 }
 
 std::string Statement::text(int column) const {

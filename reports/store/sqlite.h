@@ -36,8 +36,12 @@ class Database {
   ~Database();
 
   void execute(const std::string& sql);
-  // Throws StoreError "<file>: <what>: <SQLite's message>".
+  // Throws StoreError "<file>: <what>: <SQLite's message>", with the system's reason if there is
+  // one.
   [[noreturn]] void fail(std::string_view what) const;
+
+  // Whether its path still leads to the file that was opened.
+  bool is_at_its_path() const;
 
   sqlite3* handle() const { return handle_; }
   const std::string& file() const { return file_; }
@@ -65,6 +69,8 @@ class Statement {
   bool step();
   void reset();
 
+  enum class Type { null, integer, real, text, blob };
+  Type type(int column) const;  // of the value, whatever the column's declared type
   std::string text(int column) const;
   std::string blob(int column) const;
   std::int64_t integer(int column) const;

@@ -15,9 +15,9 @@
 namespace voronaut {
 
 // The results of a suite in one SQLite file: table `trials` (one row per trial, the columns of
-// RunRecord::visit, absent numbers NULL), `worlds` (world_id, json), `traces` (trial_id, raw
-// deflate of the JSON of trace_json.h) and `meta` (key, value). PRAGMA user_version is the schema's
-// version.
+// record_columns(), absent numbers NULL), `worlds` (world_id, json), `traces` (trial_id, raw
+// deflate of the JSON of trace_json.h), `files` (path, raw deflate of what was read there) and
+// `meta` (key, value). PRAGMA user_version is the schema's version.
 //
 // Each insert is one transaction: a process that is killed at any moment loses at most the trial in
 // flight. The journal is a rollback journal, which also holds on network file systems. One object
@@ -26,13 +26,17 @@ namespace voronaut {
 // Every failure is a StoreError that names the file and quotes SQLite.
 class ResultStore {
  public:
-  static constexpr int kSchemaVersion = 2;
+  static constexpr int kSchemaVersion = 3;
+
+  using Meta = std::map<std::string, std::string>;
 
   // An existing store; an error if the file is not there or was written with another schema.
   static ResultStore open(const std::filesystem::path& file);
-  // The same, made first if the file is not there.
-  static ResultStore create(const std::filesystem::path& file);
+  // The same, made first if the file is not there or holds nothing yet. `meta` belongs to the
+  // making: a store is there with all of it or not at all, at whatever moment its maker is killed.
+  static ResultStore create(const std::filesystem::path& file, const Meta& meta = {});
 
+  std::filesystem::path file() const { return database_.file(); }
   bool has(std::string_view trial_id) const;
 
   // False if the trial was there already with the same deterministic columns (nothing is written
@@ -41,6 +45,9 @@ class ResultStore {
   bool insert(const RunRecord& record, const std::optional<Trace>& trace);
   // The same with the trace as stored, for merging.
   bool insert_with_blob(const RunRecord& record, std::string_view trace_blob);
+  // Writes the file anew if somebody deleted, moved or replaced it while it is open; insert() begins
+  // with that. What was cut off from it or overwritten in it is lost.
+  void restore_at_path();
   // Kept once per world_id.
   void insert_world(const TraceWorld& world);
 
@@ -54,12 +61,19 @@ class ResultStore {
   std::map<std::string, std::size_t> trace_sizes() const;  // bytes of each trace_blob
   std::vector<TraceWorld> worlds() const;                  // ordered by world_id
 
-  void set_meta(std::string_view key, std::string_view value);
+  // All of it or nothing.
+  void set_meta(const Meta& meta);
   std::optional<std::string> meta(std::string_view key) const;
+
+  // Copies of files that the results came from, by path; all of them are replaced.
+  using Files = std::map<std::string, std::string>;
+  void keep_files(const Files& files);
+  Files kept_files() const;
 
  private:
   ResultStore(const std::filesystem::path& file, sqlite::OpenMode mode);
-  void create_tables();
+  void create_tables(const Meta& meta);
+  void write_meta(const Meta& meta);
   void check_schema() const;
 
   sqlite::Database database_;

@@ -1,6 +1,7 @@
 #include "voronaut/reports/summary/comparison.h"
 
 #include <map>
+#include <stdexcept>
 #include <tuple>
 #include <utility>
 
@@ -27,17 +28,22 @@ double relative_change(double before, double now) {
   return before > 0 ? now / before - 1.0 : kAbsent;
 }
 
-template <class Value>
-Estimate median_change(const std::vector<Pair>& pairs, bool both_reached,
-                       const BootstrapConfig& bootstrap, Value&& value) {
+// NaN, which the estimates leave out, where one of the two has no value.
+double change_of(const Statistic& statistic, const Pair& pair) {
+  if (statistic.rows == Rows::goal_reached && !(reached(*pair.before) && reached(*pair.now)))
+    return kAbsent;
+  const double before = value_of(statistic, *pair.before);
+  const double now = value_of(statistic, *pair.now);
+  return statistic.estimator == Estimator::rate ? now - before : relative_change(before, now);
+}
+
+Estimate change_of(const Statistic& statistic, const std::vector<Pair>& pairs,
+                   const BootstrapConfig& bootstrap) {
   std::vector<double> changes;
-  for (const Pair& pair : pairs) {
-    if (!both_reached || (reached(*pair.before) && reached(*pair.now))) {
-      changes.push_back(relative_change(static_cast<double>(value(*pair.before)),
-                                        static_cast<double>(value(*pair.now))));
-    }
-  }
-  return quantile_estimate(std::move(changes), 0.5, bootstrap);
+  for (const Pair& pair : pairs) changes.push_back(change_of(statistic, pair));
+  return statistic.estimator == Estimator::rate
+             ? mean_estimate(std::move(changes), bootstrap)
+             : quantile_estimate(std::move(changes), 0.5, bootstrap);
 }
 
 PlannerChange change_of(const SummaryGroup& group, const std::string& planner,
@@ -48,30 +54,27 @@ PlannerChange change_of(const SummaryGroup& group, const std::string& planner,
   change.n = static_cast<std::int64_t>(pairs.size());
   std::int64_t reached_before = 0;
   std::int64_t reached_now = 0;
-  std::vector<double> differences;
   for (const auto& [before, now] : pairs) {
     reached_before += reached(*before);
     reached_now += reached(*now);
     change.gained += !reached(*before) && reached(*now);
     change.lost += reached(*before) && !reached(*now);
-    differences.push_back(static_cast<double>(reached(*now)) -
-                          static_cast<double>(reached(*before)));
   }
   change.reached_before = wilson_rate(reached_before, change.n);
   change.reached_now = wilson_rate(reached_now, change.n);
-  change.success_change = mean_estimate(std::move(differences), bootstrap);
-  const auto median = [&](bool both_reached, auto&& value) {
-    return median_change(pairs, both_reached, bootstrap, value);
-  };
-  change.path_ratio_change = median(true, [](const RunRecord& r) { return r.path_ratio; });
-  change.duration_change = median(true, [](const RunRecord& r) { return r.duration_s; });
-  change.state_checks_change = median(false, [](const RunRecord& r) { return r.state_checks; });
-  change.planning_time_change =
-      median(false, [](const RunRecord& r) { return r.planning_time_us_mean; });
+  for (const Statistic* statistic : statistics_shown(kComparison))
+    change.changes.push_back(change_of(*statistic, pairs, bootstrap));
   return change;
 }
 
 }  // namespace
+
+const Estimate& PlannerChange::of(std::string_view statistic) const {
+  const auto compared = statistics_shown(kComparison);
+  for (std::size_t i = 0; i < compared.size(); ++i)
+    if (compared[i]->name == statistic) return changes.at(i);
+  throw std::invalid_argument("'" + std::string(statistic) + "' is not compared");
+}
 
 RunComparison compare_runs(const std::vector<RunRecord>& now, const std::vector<RunRecord>& before,
                            const BootstrapConfig& bootstrap) {

@@ -2,31 +2,33 @@
 
 #include <cstdint>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "voronaut/reports/run_record.h"
-#include "voronaut/reports/summary/statistics.h"
+#include "voronaut/reports/summary/estimate.h"
 #include "voronaut/reports/summary/summary.h"
 
 // One run against another: what changed, over trials paired by (scenario group, scenario, vehicle,
 // regulator, planner, repetition).
 namespace voronaut {
 
-// Changes are "now" against "before": of success as a difference, of the rest relative (0.01 is one
+// Changes are "now" against "before": of a rate as a difference, of the rest relative (0.01 is one
 // percent more). A change whose interval leaves zero out is one the data can tell from chance.
 struct PlannerChange {
   SummaryGroup group;
   std::string planner;
   std::int64_t n = 0;  // pairs
-  Rate reached_before;
-  Rate reached_now;
-  std::int64_t gained = 0;        // failed before, reaches the goal now
-  std::int64_t lost = 0;          // the other way round
-  Estimate success_change;        // mean over all pairs
-  Estimate path_ratio_change;     // median over pairs that both reached the goal
-  Estimate duration_change;       // the same
-  Estimate state_checks_change;   // median over all pairs that counted any before
-  Estimate planning_time_change;  // the same; measured
+  Estimate reached_before;
+  Estimate reached_now;
+  std::int64_t gained = 0;  // failed before, reaches the goal now
+  std::int64_t lost = 0;    // the other way round
+  // In the order of statistics_shown(kComparison): of a rate the mean over the pairs, else the
+  // median over those whose two trials both have the value.
+  std::vector<Estimate> changes;
+
+  // By the name of the statistic; std::invalid_argument for one that is not compared.
+  const Estimate& of(std::string_view statistic) const;
 };
 
 struct OutcomeChange {

@@ -2,138 +2,174 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
+#include <stdexcept>
+#include <type_traits>
 
 namespace voronaut {
 
 namespace {
 
-constexpr double kZ95 = 1.959963984540054;  // 97.5 % quantile of the normal distribution
-constexpr double kTail = 0.025;
+using enum Rows;
+using enum Estimator;
+using enum Better;
+using R = RunRecord;
 
-// SplitMix64 (Steele, Lea, Flood, doi:10.1145/2714064.2660195): a few lines, the same everywhere.
-class SplitMix64 {
- public:
-  explicit SplitMix64(std::uint64_t seed) : state_(seed) {}
+template <Outcome outcome>
+double ended_as(const RunRecord& record) {
+  return record.outcome == outcome ? 1 : 0;
+}
 
-  // Uniform in [0, n), n < 2^32; the bias of the multiplication is below n / 2^32.
-  std::size_t below(std::size_t n) {
-    state_ += 0x9e3779b97f4a7c15U;
-    std::uint64_t z = state_;
-    z = (z ^ (z >> 30U)) * 0xbf58476d1ce4e5b9U;
-    z = (z ^ (z >> 27U)) * 0x94d049bb133111ebU;
-    z ^= z >> 31U;
-    return static_cast<std::size_t>((z >> 32U) * n >> 32U);
-  }
+// A trial that never started failed: it counts 0.
+double spl_or_0(const RunRecord& record) { return std::isnan(record.spl) ? 0 : record.spl; }
 
- private:
-  std::uint64_t state_;
+// What a planner that keeps planning_clearance_m could have done at best. Below 1 only for a vehicle
+// that came closer; NaN also where no path has that clearance. Where start and goal are one place,
+// so are the references: then it is path_ratio.
+double path_ratio_at_clearance(const RunRecord& record) {
+  if (record.shortest_at_clearance_m == 0) return record.path_ratio;
+  return record.path_ratio * record.shortest_length_m / record.shortest_at_clearance_m;
+}
+
+// Score of one trial of the BARN challenge since 2024: arrival x OT / clip(AT, 2 OT, 8 OT), at most
+// 0.5, with OT the reference path at 2 m/s and AT the time taken (the-barn-challenge, run.py). Here
+// the reference is the shortest path, and AT includes the look-around before departure.
+double barn_score(const RunRecord& record) {
+  if (record.scenario_group != "barn") return kAbsent;
+  if (record.outcome != Outcome::goal_reached) return 0;
+  const double optimal_s = record.shortest_length_m / 2;
+  if (optimal_s == 0) return 1.0 / 8;  // any time is more than eight times none
+  return optimal_s / std::clamp(record.duration_s, 2 * optimal_s, 8 * optimal_s);
+}
+
+constexpr unsigned kEverywhere = kText | kPage | kSweep | kComparison;
+
+// Name, trials, estimator, value, which way is better, digits, label, where it is shown; then the
+// title of a plot of its values and the plot's axis. A new statistic is one line here.
+const Statistic kStatistics[] = {
+    // clang-format off
+    {"goal_reached_share", all, rate, ended_as<Outcome::goal_reached>, more, 1, "goal reached", kEverywhere | kEvidence, "", Axis::linear, "ended at rest at the goal"},
+    {"collision_share", all, rate, ended_as<Outcome::collision>, less, 1, "collisions", kPage | kEvidence, "", Axis::linear, "the body met an obstacle"},
+    {"infeasible_share", all, rate, ended_as<Outcome::infeasible>, neither, 1, "infeasible", 0, "", Axis::linear, "the planner proved that there is no path"},
+    {"path_ratio_median", goal_reached, median, &R::path_ratio, less, 3, "path ratio", kEverywhere, "How long are the paths?"},
+    {"path_ratio_mean", goal_reached, mean, &R::path_ratio, less, 3, "path ratio", kEvidence},
+    {"path_ratio_p95", goal_reached, p95, &R::path_ratio, less, 3, "path ratio", kText | kPage | kSweep | kEvidence},
+    {"path_ratio_at_clearance_mean", goal_reached, mean, path_ratio_at_clearance, less, 3, "path ratio at planning_clearance_m", kEvidence, "", Axis::linear, "path flown, with the straight rest to the goal, over the shortest one at planning_clearance_m"},
+    {"spl_mean", all, mean, spl_or_0, more, 3, "SPL", kText | kPage, "", Axis::linear, "success weighted by path length; a failure counts 0"},
+    {"duration_median_s", goal_reached, median, &R::duration_s, less, 1, "time to goal", kEverywhere, "How long does it take?"},
+    {"clearance_smallest_m", moved, smallest, &R::clearance_smallest_m, more, 3, "clearance", kText | kPage | kEvidence},
+    {"clearance_median_m", moved, median, &R::clearance_smallest_m, more, 3, "clearance", kPage | kSweep, "How close do they come?"},
+    {"speed_mean_median_m_s", moved, median, &R::speed_mean_m_s, more, 2, "mean speed", kText | kPage | kSweep, "How fast do they fly?"},
+    {"replans_median", all, median, &R::replans, neither, 0, "replans", kPage},
+    {"state_checks_median", all, median, &R::state_checks, less, 0, "state checks", kPage | kSweep | kComparison, "How much work is it?", Axis::logarithmic},
+    {"planning_time_us_median", moved, median, &R::planning_time_us_mean, less, 1, "planning per scan", kEverywhere, "What does planning cost?", Axis::logarithmic},
+    {"step_time_us_median", moved, median, &R::step_time_us_mean, less, 1, "whole step", kPage},
+    {"barn_score_mean", all, mean, barn_score, more, 3, "BARN score", kEvidence, "", Axis::linear, "score of the BARN challenge; a failure counts 0, other worlds have none"},
+    // clang-format on
 };
 
-void drop_absent_and_sort(std::vector<double>& values) {
-  std::erase_if(values, [](double v) { return std::isnan(v); });
-  std::sort(values.begin(), values.end());
+Estimate rate_of(const std::vector<double>& values) {
+  return wilson_rate(std::llround(std::accumulate(values.begin(), values.end(), 0.0)),
+                     static_cast<std::int64_t>(values.size()));
 }
 
-struct Position {
-  std::size_t index;
-  double fraction;
-};
-
-Position quantile_position(std::size_t n, double probability) {
-  const double at = probability * static_cast<double>(n - 1);
-  const auto index = static_cast<std::size_t>(at);
-  return {std::min(index, n - 1), at - static_cast<double>(index)};
-}
-
-// Without a fraction the next order statistic may be infinite: do not multiply it by 0.
-double interpolate(double low, double high, double fraction) {
-  return fraction > 0 && low != high ? low + (high - low) * fraction : low;
-}
-
-// How often each of the sorted values was drawn stands for the sorted resample.
-double quantile_of_counts(std::span<const double> sorted, const std::vector<std::uint32_t>& counts,
-                          double probability) {
-  const auto [index, fraction] = quantile_position(sorted.size(), probability);
-  std::size_t seen = 0;
-  std::size_t k = 0;
-  while (seen + counts[k] <= index) {
-    seen += counts[k++];
-  }
-  const double low = sorted[k];
-  while (seen + counts[k] <= std::min(index + 1, sorted.size() - 1)) {
-    seen += counts[k++];
-  }
-  return interpolate(low, sorted[k], fraction);
-}
-
-template <class Statistic>
-Estimate bootstrap(const std::vector<double>& sorted, const BootstrapConfig& config,
-                   Statistic&& statistic) {
+Estimate smallest_of(std::vector<double> values) {
+  std::erase_if(values, [](double value) { return std::isnan(value); });
   Estimate estimate;
-  estimate.n = static_cast<std::int64_t>(sorted.size());
-  if (sorted.empty()) {
-    return estimate;
-  }
-  estimate.value = statistic(std::vector<std::uint32_t>(sorted.size(), 1));
-  if (sorted.size() < 2) {
-    return estimate;
-  }
-  SplitMix64 random(config.seed);
-  std::vector<double> resampled;
-  std::vector<std::uint32_t> counts(sorted.size());
-  for (int i = 0; i < config.resamples; ++i) {
-    std::fill(counts.begin(), counts.end(), 0U);
-    for (std::size_t k = 0; k < sorted.size(); ++k) {
-      ++counts[random.below(sorted.size())];
-    }
-    resampled.push_back(statistic(counts));
-  }
-  std::sort(resampled.begin(), resampled.end());
-  estimate.interval = {quantile_of_sorted(resampled, kTail),
-                       quantile_of_sorted(resampled, 1.0 - kTail)};
+  estimate.n = static_cast<std::int64_t>(values.size());
+  if (!values.empty()) estimate.value = *std::min_element(values.begin(), values.end());
   return estimate;
 }
 
 }  // namespace
 
-Rate wilson_rate(std::int64_t successes, std::int64_t n) {
-  Rate rate{successes, n, kAbsent, {}};
-  if (n == 0) {
-    return rate;
+std::span<const Statistic> statistics() { return kStatistics; }
+
+std::vector<const Statistic*> statistics_shown(Output output) {
+  std::vector<const Statistic*> shown;
+  for (const Statistic& one : kStatistics)
+    if ((one.shown & output) != 0) shown.push_back(&one);
+  return shown;
+}
+
+const Statistic& statistic(std::string_view name) {
+  const auto found = std::find_if(std::begin(kStatistics), std::end(kStatistics),
+                                  [&](const Statistic& one) { return one.name == name; });
+  if (found == std::end(kStatistics))
+    throw std::invalid_argument("no statistic '" + std::string(name) + "'");
+  return *found;
+}
+
+const RecordColumn* column_of(const Statistic& statistic) {
+  return std::visit(
+      [](auto value) -> const RecordColumn* {
+        if constexpr (std::is_member_pointer_v<decltype(value)>) return &column_of(value);
+        return nullptr;
+      },
+      statistic.value);
+}
+
+std::string_view unit_of(const Statistic& statistic) {
+  const RecordColumn* column = column_of(statistic);
+  return column != nullptr ? column->unit : std::string_view();
+}
+
+std::string_view estimator_words(const Statistic& statistic) {
+  switch (statistic.estimator) {
+    case rate:
+      return "share";
+    case mean:
+      return "mean";
+    case median:
+      return "median";
+    case p95:
+      return "95th percentile";
+    case smallest:
+      break;
   }
-  const auto count = static_cast<double>(n);
-  const double p = static_cast<double>(successes) / count;
-  const double z2 = kZ95 * kZ95;
-  const double centre = (p + z2 / (2 * count)) / (1 + z2 / count);
-  const double half =
-      kZ95 * std::sqrt(p * (1 - p) / count + z2 / (4 * count * count)) / (1 + z2 / count);
-  rate.value = p;
-  rate.interval = {successes == 0 ? 0.0 : centre - half, successes == n ? 1.0 : centre + half};
-  return rate;
+  return "smallest";
 }
 
-double quantile_of_sorted(std::span<const double> sorted, double probability) {
-  const auto [index, fraction] = quantile_position(sorted.size(), probability);
-  return interpolate(sorted[index], sorted[std::min(index + 1, sorted.size() - 1)], fraction);
+std::string description_of(const Statistic& statistic) {
+  const RecordColumn* column = column_of(statistic);
+  const std::string_view about = column != nullptr ? column->about : statistic.about;
+  std::string text(estimator_words(statistic));
+  text.append(" over ").append(words(statistic.rows)).append(": ").append(about);
+  if (column != nullptr && column->kind == ColumnKind::measured) text += "; measured";
+  return text;
 }
 
-Estimate quantile_estimate(std::vector<double> values, double probability,
-                           const BootstrapConfig& config) {
-  drop_absent_and_sort(values);
-  return bootstrap(values, config, [&](const std::vector<std::uint32_t>& counts) {
-    return quantile_of_counts(values, counts, probability);
-  });
+double value_of(const Statistic& statistic, const RunRecord& record) {
+  return std::visit(
+      [&](auto value) {
+        if constexpr (std::is_member_pointer_v<decltype(value)>) {
+          return static_cast<double>(record.*value);
+        } else {
+          return value(record);
+        }
+      },
+      statistic.value);
 }
 
-Estimate mean_estimate(std::vector<double> values, const BootstrapConfig& config) {
-  drop_absent_and_sort(values);
-  return bootstrap(values, config, [&](const std::vector<std::uint32_t>& counts) {
-    double sum = 0;
-    for (std::size_t i = 0; i < values.size(); ++i) {
-      sum += counts[i] * values[i];
-    }
-    return sum / static_cast<double>(values.size());
-  });
+Estimate estimate_of(const Statistic& statistic, const Trials& trials,
+                     const BootstrapConfig& bootstrap) {
+  std::vector<double> values;
+  for (const RunRecord* trial : trials)
+    if (statistic.rows != goal_reached || trial->outcome == Outcome::goal_reached)
+      values.push_back(value_of(statistic, *trial));
+  switch (statistic.estimator) {
+    case rate:
+      return rate_of(values);
+    case mean:
+      return mean_estimate(std::move(values), bootstrap);
+    case median:
+      return quantile_estimate(std::move(values), 0.5, bootstrap);
+    case p95:
+      return quantile_estimate(std::move(values), 0.95, bootstrap);
+    case smallest:
+      break;
+  }
+  return smallest_of(std::move(values));
 }
 
 }  // namespace voronaut

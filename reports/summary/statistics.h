@@ -1,56 +1,70 @@
 #pragma once
 
-#include <cstdint>
 #include <span>
+#include <string>
+#include <string_view>
+#include <variant>
 #include <vector>
 
-#include "voronaut/reports/run_record.h"
+#include "voronaut/reports/record_columns.h"
+#include "voronaut/reports/summary/estimate.h"
 
-// Estimates with 95 % intervals. Pure functions; the same input gives the same bits.
+// The one table of statistics: what is computed, of which trials, over what, which way is better,
+// how it is written and where. Text, Markdown, JSON, CSV, acceptance criteria, the evidence page
+// and the report iterate it.
 namespace voronaut {
 
-struct Interval {
-  double low = kAbsent;
-  double high = kAbsent;
+enum class Estimator { rate, mean, median, p95, smallest };
+
+enum class Better { more, less, neither };
+
+// Where a statistic is shown. JSON, CSV and acceptance criteria have them all.
+enum Output : unsigned {
+  kText = 1,         // voronaut run, summary, report --format md
+  kEvidence = 2,     // docs/evidence.md
+  kPage = 4,         // the report's table
+  kSweep = 8,        // the report's plots over a parameter
+  kComparison = 16,  // one run against another: the change of it
 };
 
-// A statistic over n values, with a bootstrap interval. Absent for n = 0, the interval also for n =
-// 1: resampling one value would pretend certainty.
-struct Estimate {
-  double value = kAbsent;
-  Interval interval;
-  std::int64_t n = 0;
+enum class Axis { linear, logarithmic };
+
+// Of one trial: a column, or what is made of some; NaN where the trial has none.
+using StatisticValue =
+    std::variant<double RunRecord::*, std::int64_t RunRecord::*, double (*)(const RunRecord&)>;
+
+struct Statistic {
+  std::string_view name;  // key in JSON, CSV and, with _min or _max, of an acceptance criterion
+  Rows rows;
+  Estimator estimator;
+  StatisticValue value;
+  Better better;
+  int digits;                      // after the point; of a rate those of its percentage
+  std::string_view label;          // of what; the estimator and the unit are written beside it
+  unsigned shown;                  // outputs
+  std::string_view question = {};  // title of the plot of how its values spread; empty: none
+  Axis axis = Axis::linear;
+  std::string_view about = {};  // of a value that is no column
 };
 
-struct Rate {
-  std::int64_t successes = 0;
-  std::int64_t n = 0;
-  double value = kAbsent;
-  Interval interval;
-};
+std::span<const Statistic> statistics();
+std::vector<const Statistic*> statistics_shown(Output output);
+// Throws std::invalid_argument for an unknown name.
+const Statistic& statistic(std::string_view name);
 
-// Wilson's score interval (E. B. Wilson, J. Am. Stat. Assoc. 22, 1927, doi:10.2307/2276774), which
-// stays inside [0, 1] and is not of zero width at 0 or n successes.
-Rate wilson_rate(std::int64_t successes, std::int64_t n);
+// The column that it is over; null for a value that is no column.
+const RecordColumn* column_of(const Statistic& statistic);
+std::string_view unit_of(const Statistic& statistic);
+std::string_view estimator_words(const Statistic& statistic);
+// "median over trials that reached the goal: path flown, ..."
+std::string description_of(const Statistic& statistic);
 
-struct BootstrapConfig {
-  int resamples = 1000;
-  std::uint64_t seed = 20'240'229;
+double value_of(const Statistic& statistic, const RunRecord& record);
 
-  template <class Visitor>
-  void visit(Visitor& v) {
-    v.count("resamples", resamples, 100, 100'000);
-  }
-};
+using Trials = std::vector<const RunRecord*>;
 
-// Quantile with linear interpolation between order statistics (Hyndman and Fan's type 7,
-// doi:10.2307/2684934). `sorted` ascends, is not empty, `probability` is in [0, 1].
-double quantile_of_sorted(std::span<const double> sorted, double probability);
-
-// Percentile bootstrap over the given values (B. Efron, Ann. Stat. 7, 1979,
-// doi:10.1214/aos/1176344552), O(resamples * n). Values that are NaN are left out and not counted.
-Estimate quantile_estimate(std::vector<double> values, double probability,
-                           const BootstrapConfig& config = {});
-Estimate mean_estimate(std::vector<double> values, const BootstrapConfig& config = {});
+// O(resamples * trials).
+Estimate estimate_of(const Statistic& statistic, const Trials& trials,
+                     const BootstrapConfig& bootstrap = {});
 
 }  // namespace voronaut

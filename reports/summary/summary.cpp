@@ -52,65 +52,16 @@ struct InNaturalOrder {
   }
 };
 
-using Trials = std::vector<const RunRecord*>;
 // Trials of one group by planner; std::map so that the order is that of the names.
 using Grouped = std::map<SummaryGroup, std::map<std::string, Trials>, InNaturalOrder>;
 
-template <class Value>
-std::vector<double> collect(const Trials& trials, Value&& value, bool reached_only = false) {
-  std::vector<double> values;
-  for (const RunRecord* trial : trials) {
-    if (!reached_only || trial->outcome == Outcome::goal_reached) {
-      values.push_back(static_cast<double>(value(*trial)));
-    }
-  }
-  return values;
-}
-
-double smallest(const std::vector<double>& values) {
-  double best = kAbsent;
-  for (const double value : values) {
-    best = std::isnan(best) || value < best ? value : best;
-  }
-  return best;
-}
-
-void count_outcomes(PlannerSummary& summary, const Trials& trials) {
-  for (const RunRecord* trial : trials) {
-    const auto at = std::find(kOutcomes.begin(), kOutcomes.end(), trial->outcome);
-    ++summary.outcomes[static_cast<std::size_t>(at - kOutcomes.begin())];
-  }
-  summary.n = static_cast<std::int64_t>(trials.size());
-  summary.success = wilson_rate(summary.outcomes[0], summary.n);
-  summary.collisions = wilson_rate(summary.outcomes[1], summary.n);
-}
-
 PlannerSummary summarise_planner(const SummaryGroup& group, const std::string& planner,
                                  const Trials& trials, const BootstrapConfig& bootstrap) {
-  PlannerSummary s;
-  s.group = group;
-  s.planner = planner;
-  count_outcomes(s, trials);
-  const auto median = [&](auto&& value, bool reached_only = false) {
-    return quantile_estimate(collect(trials, value, reached_only), 0.5, bootstrap);
-  };
-  const auto path_ratio = [](const RunRecord& r) { return r.path_ratio; };
-  const auto clearance = [](const RunRecord& r) { return r.clearance_min_m; };
-  s.path_ratio_median = median(path_ratio, true);
-  s.path_ratio_p95 = quantile_estimate(collect(trials, path_ratio, true), 0.95, bootstrap);
-  // A trial that never started has no SPL of its own: it failed, so it counts 0.
-  s.spl_mean = mean_estimate(
-      collect(trials, [](const RunRecord& r) { return std::isnan(r.spl) ? 0.0 : r.spl; }),
-      bootstrap);
-  s.duration_median_s = median([](const RunRecord& r) { return r.duration_s; }, true);
-  s.clearance_min_m = smallest(collect(trials, clearance));
-  s.clearance_median_m = median(clearance);
-  s.speed_mean_median_m_s = median([](const RunRecord& r) { return r.speed_mean_m_s; });
-  s.replans_median = median([](const RunRecord& r) { return r.replans; });
-  s.state_checks_median = median([](const RunRecord& r) { return r.state_checks; });
-  s.planning_time_us_median = median([](const RunRecord& r) { return r.planning_time_us_mean; });
-  s.step_time_us_median = median([](const RunRecord& r) { return r.step_time_us_mean; });
-  return s;
+  PlannerSummary summary{
+      group, planner, static_cast<std::int64_t>(trials.size()), outcome_counts(trials), {}};
+  for (const Statistic& one : statistics())
+    summary.estimates.push_back(estimate_of(one, trials, bootstrap));
+  return summary;
 }
 
 // 1 if a is better, -1 if b is, 0 for a tie.
@@ -167,6 +118,10 @@ void summarise_groups(const Grouped& grouped, const SummaryConfig& config,
 }
 
 }  // namespace
+
+const Estimate& PlannerSummary::of(std::string_view name) const {
+  return estimates.at(static_cast<std::size_t>(&statistic(name) - statistics().data()));
+}
 
 Summary summarise(const std::vector<RunRecord>& records, const SummaryConfig& config) {
   Grouped groups;

@@ -1,13 +1,13 @@
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <string>
+#include <string_view>
 #include <tuple>
 #include <vector>
 
 #include "voronaut/reports/run_record.h"
-#include "voronaut/reports/summary/statistics.h"
+#include "voronaut/reports/summary/statistic_text.h"
 
 // What a suite says about its planners. Failures stay in every denominator; what can only be said
 // about a part of the trials (the path ratio: those that reached the goal) says over how many.
@@ -31,21 +31,11 @@ struct PlannerSummary {
   SummaryGroup group;
   std::string planner;
   std::int64_t n = 0;
-  Rate success;                                           // goal_reached of n
-  Rate collisions;                                        // collision of n
-  std::array<std::int64_t, kOutcomes.size()> outcomes{};  // counts, in the order of kOutcomes
+  OutcomeCounts outcomes{};
+  std::vector<Estimate> estimates;  // in the order of statistics()
 
-  Estimate path_ratio_median;        // over goal_reached
-  Estimate path_ratio_p95;           // over goal_reached
-  Estimate spl_mean;                 // over all, a failure counts 0
-  Estimate duration_median_s;        // over goal_reached
-  double clearance_min_m = kAbsent;  // the smallest of all trials that moved
-  Estimate clearance_median_m;       // of the trials' smallest
-  Estimate speed_mean_median_m_s;
-  Estimate replans_median;
-  Estimate state_checks_median;
-  Estimate planning_time_us_median;  // of the trials' means; measured
-  Estimate step_time_us_median;      // of the trials' means; measured
+  // By the name of the statistic; std::invalid_argument for an unknown one.
+  const Estimate& of(std::string_view statistic) const;
 };
 
 // Two planners on the same (scenario, repetition, vehicle, regulator). Who reached the goal beats
@@ -59,7 +49,7 @@ struct PlannerPairing {
   std::int64_t wins_a = 0;
   std::int64_t ties = 0;
   std::int64_t wins_b = 0;
-  Rate win_share_a;  // wins_a of the pairs that one of the two won
+  Estimate win_share_a;  // wins_a of the pairs that one of the two won
 };
 
 struct SummaryConfig {

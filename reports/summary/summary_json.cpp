@@ -17,11 +17,38 @@ json estimate(const Estimate& e) {
   return {{"value", number(e.value)}, {"interval", interval(e.interval)}, {"n", e.n}};
 }
 
-json rate(const Rate& r) {
-  return {{"value", number(r.value)},
-          {"interval", interval(r.interval)},
-          {"successes", r.successes},
-          {"n", r.n}};
+json rate(const Estimate& r) {
+  json out = estimate(r);
+  out["successes"] = r.successes;
+  return out;
+}
+
+json estimate(const Statistic& statistic, const Estimate& e) {
+  return statistic.estimator == Estimator::rate ? rate(e) : estimate(e);
+}
+
+std::string_view name_of(Better better) {
+  if (better == Better::more) return "more";
+  return better == Better::less ? "less" : "";
+}
+
+json statistic_to_json(const Statistic& s) {
+  const RecordColumn* column = column_of(s);
+  return {{"name", s.name},
+          {"column", column != nullptr ? column->name : ""},
+          {"label", s.label},
+          {"heading", heading(s)},
+          {"about", description_of(s)},
+          {"unit", unit_of(s)},
+          {"rate", s.estimator == Estimator::rate},
+          {"better", name_of(s.better)},
+          {"digits", s.digits},
+          {"of_reached", s.rows == Rows::goal_reached},
+          {"question", s.question},
+          {"logarithmic", s.axis == Axis::logarithmic},
+          {"in_table", (s.shown & kPage) != 0},
+          {"in_sweeps", (s.shown & kSweep) != 0},
+          {"in_comparison", (s.shown & kComparison) != 0}};
 }
 
 json group_fields(const SummaryGroup& group) {
@@ -35,23 +62,10 @@ json planner_to_json(const PlannerSummary& s) {
   json out = group_fields(s.group);
   out["planner"] = s.planner;
   out["n"] = s.n;
-  out["success"] = rate(s.success);
-  out["collisions"] = rate(s.collisions);
-  out["outcomes"] = json::object();
-  for (std::size_t i = 0; i < kOutcomes.size(); ++i) {
-    out["outcomes"][std::string(to_string(kOutcomes[i]))] = s.outcomes[i];
-  }
-  out["path_ratio_median"] = estimate(s.path_ratio_median);
-  out["path_ratio_p95"] = estimate(s.path_ratio_p95);
-  out["spl_mean"] = estimate(s.spl_mean);
-  out["duration_median_s"] = estimate(s.duration_median_s);
-  out["clearance_min_m"] = number(s.clearance_min_m);
-  out["clearance_median_m"] = estimate(s.clearance_median_m);
-  out["speed_mean_median_m_s"] = estimate(s.speed_mean_median_m_s);
-  out["replans_median"] = estimate(s.replans_median);
-  out["state_checks_median"] = estimate(s.state_checks_median);
-  out["planning_time_us_median"] = estimate(s.planning_time_us_median);
-  out["step_time_us_median"] = estimate(s.step_time_us_median);
+  for (const OutcomeEntry& entry : kOutcomes)
+    out["outcomes"][std::string(entry.name)] = s.outcomes[static_cast<std::size_t>(entry.outcome)];
+  for (const Statistic& one : statistics())
+    out["statistics"][std::string(one.name)] = estimate(one, s.of(one.name));
   return out;
 }
 
@@ -75,11 +89,8 @@ json change_to_json(const PlannerChange& c) {
   out["reached_now"] = rate(c.reached_now);
   out["gained"] = c.gained;
   out["lost"] = c.lost;
-  out["success_change"] = estimate(c.success_change);
-  out["path_ratio_change"] = estimate(c.path_ratio_change);
-  out["duration_change"] = estimate(c.duration_change);
-  out["state_checks_change"] = estimate(c.state_checks_change);
-  out["planning_time_change"] = estimate(c.planning_time_change);
+  for (const Statistic* one : statistics_shown(kComparison))
+    out["changes"][std::string(one->name)] = estimate(c.of(one->name));
   return out;
 }
 
@@ -111,7 +122,13 @@ std::string comparison_json(const RunComparison& comparison) {
 }
 
 std::string summary_json(const Summary& summary) {
-  json out{{"groups", json::array()}, {"totals", json::array()}, {"pairings", json::array()}};
+  json out{{"groups", json::array()},
+           {"totals", json::array()},
+           {"pairings", json::array()},
+           {"statistics", json::array()}};
+  for (const Statistic& one : statistics()) {
+    out["statistics"].push_back(statistic_to_json(one));
+  }
   for (const PlannerSummary& s : summary.groups) {
     out["groups"].push_back(planner_to_json(s));
   }

@@ -1,9 +1,9 @@
 #include "voronaut/reports/summary/summary_text.h"
 
-#include <array>
+#include <algorithm>
 #include <cmath>
-#include <cstdio>
 
+#include "voronaut/reports/store/csv_writer.h"
 #include "voronaut/reports/summary/text_table.h"
 
 namespace voronaut {
@@ -12,71 +12,51 @@ namespace {
 
 using Align = TextTable::Align;
 
-std::string fixed(double value, int decimals) {
-  if (std::isnan(value)) {
-    return "-";
-  }
-  std::array<char, 64> buffer{};
-  std::snprintf(buffer.data(), buffer.size(), "%.*f", decimals, value);
-  return buffer.data();
-}
-
-// Halves away from zero, as the report's JavaScript does: 25 of 40 is 63 % in both.
-std::string percent(double value) { return fixed(std::round(100.0 * value), 0); }
-
-std::string rate_text(const Rate& rate) {
-  if (rate.n == 0) {
-    return "-";
-  }
-  return percent(rate.value) + " % [" + percent(rate.interval.low) + ", " +
-         percent(rate.interval.high) + "]";
-}
-
-std::string other_outcomes(const PlannerSummary& s) {
-  std::string text;
-  for (std::size_t i = 1; i < kOutcomes.size(); ++i) {
-    if (s.outcomes[i] > 0) {
-      text += (text.empty() ? "" : ", ") + std::to_string(s.outcomes[i]) + " " +
-              std::string(to_string(kOutcomes[i]));
-    }
-  }
-  return text;
-}
-
 std::string title(const SummaryGroup& group) {
   return printable((group.all_scenarios ? "all scenarios" : group.scenario_group) + ", " +
                    group.vehicle + (group.regulator.empty() ? "" : " with " + group.regulator));
 }
 
-TextTable outcome_table() {
-  return {{{"planner", Align::left},
-           {"n", Align::right},
-           {"success [95 %]", Align::right},
-           {"path ratio", Align::right},
-           {"95th", Align::right},
-           {"over", Align::right},
-           {"SPL", Align::right},
-           {"clearance m", Align::right},
-           {"m/s", Align::right},
-           {"s to goal", Align::right},
-           {"plan us", Align::right},
-           {"ended otherwise", Align::left}},
-          {}};
+// What no row has a value of is not shown.
+std::vector<const Statistic*> shown_of(const Summary& summary) {
+  std::vector<const Statistic*> shown = statistics_shown(kText);
+  std::erase_if(shown, [&](const Statistic* one) {
+    return std::all_of(summary.groups.begin(), summary.groups.end(),
+                       [&](const PlannerSummary& s) { return s.of(one->name).n == 0; });
+  });
+  return shown;
 }
 
-std::vector<std::string> outcome_row(const PlannerSummary& s) {
-  return {printable(s.planner),
-          std::to_string(s.n),
-          rate_text(s.success),
-          fixed(s.path_ratio_median.value, 3),
-          fixed(s.path_ratio_p95.value, 3),
-          std::to_string(s.path_ratio_median.n),
-          fixed(s.spl_mean.value, 3),
-          fixed(s.clearance_min_m, 2),
-          fixed(s.speed_mean_median_m_s.value, 2),
-          fixed(s.duration_median_s.value, 1),
-          fixed(s.planning_time_us_median.value, s.planning_time_us_median.value < 10 ? 1 : 0),
-          other_outcomes(s)};
+// "all trials: goal reached, SPL; trials that moved: clearance".
+std::string trials_of(const std::vector<const Statistic*>& shown) {
+  std::string text;
+  for (const Rows rows : {Rows::all, Rows::moved, Rows::goal_reached}) {
+    std::vector<std::string_view> labels;
+    for (const Statistic* one : shown)
+      if (one->rows == rows && (labels.empty() || labels.back() != one->label))
+        labels.push_back(one->label);
+    for (const std::string_view label : labels) {
+      if (label == labels.front())
+        text.append(text.empty() ? "" : "; ").append(words(rows)).append(": ");
+      text.append(label == labels.front() ? "" : ", ").append(label);
+    }
+  }
+  return text;
+}
+
+TextTable statistics_table(const std::vector<const Statistic*>& shown) {
+  TextTable table{{{"planner", Align::left}, {"n"}}, {}};
+  for (const Statistic* one : shown) table.columns.push_back({heading(*one)});
+  table.columns.push_back({"ended otherwise", Align::left});
+  return table;
+}
+
+std::vector<std::string> statistics_row(const PlannerSummary& s,
+                                        const std::vector<const Statistic*>& shown) {
+  std::vector<std::string> row{printable(s.planner), std::to_string(s.n)};
+  for (const Statistic* one : shown) row.push_back(brief_text(*one, s.of(one->name), s.outcomes));
+  row.push_back(other_outcomes(s.outcomes, kText));
+  return row;
 }
 
 TextTable pairing_table() {
@@ -90,10 +70,17 @@ TextTable pairing_table() {
           {}};
 }
 
+// Of decided pairs, written as the share of trials that reach the goal is.
+std::string share_text(const Estimate& share) {
+  OutcomeCounts counts{};
+  counts.front() = share.n;
+  return brief_text(statistic("goal_reached_share"), share, counts);
+}
+
 std::vector<std::string> pairing_row(const PlannerPairing& p) {
   return {printable(p.planner_a),   printable(p.planner_b), std::to_string(p.n),
           std::to_string(p.wins_a), std::to_string(p.ties), std::to_string(p.wins_b),
-          rate_text(p.win_share_a)};
+          share_text(p.win_share_a)};
 }
 
 // One section per run of rows with the same group; write(title, table).
@@ -129,13 +116,15 @@ std::vector<PlannerPairing> headline_pairings(const Summary& summary) {
 
 template <class Write>
 void write_all(const Summary& summary, Write&& write) {
-  write_sections(summary.groups, outcome_table(), "", outcome_row, write);
-  write_sections(summary.totals, outcome_table(), "", outcome_row, write);
+  const auto shown = shown_of(summary);
+  const auto row = [&](const PlannerSummary& s) { return statistics_row(s, shown); };
+  write_sections(summary.groups, statistics_table(shown), "", row, write);
+  write_sections(summary.totals, statistics_table(shown), "", row, write);
   write_sections(headline_pairings(summary), pairing_table(), ": same worlds and repetitions",
                  pairing_row, write);
 }
 
-std::string change_text(const Estimate& change, const char* unit) {
+std::string change_text(const Statistic& statistic, const Estimate& change) {
   if (change.n == 0) {
     return "-";
   }
@@ -146,36 +135,35 @@ std::string change_text(const Estimate& change, const char* unit) {
                                    ? ""
                                    : " [" + signed_text(change.interval.low) + ", " +
                                          signed_text(change.interval.high) + "]";
-  return signed_text(change.value) + unit + interval + " over " + std::to_string(change.n);
+  return signed_text(change.value) + (statistic.estimator == Estimator::rate ? "" : " %") +
+         interval + " over " + std::to_string(change.n);
 }
 
 TextTable change_table() {
-  return {{{"scenarios", Align::left},
-           {"vehicle", Align::left},
-           {"planner", Align::left},
-           {"pairs", Align::right},
-           {"reached before", Align::right},
-           {"now", Align::right},
-           {"change in points", Align::right},
-           {"path ratio", Align::right},
-           {"time to goal", Align::right},
-           {"state checks", Align::right},
-           {"planning time", Align::right}},
-          {}};
+  TextTable table{{{"scenarios", Align::left},
+                   {"vehicle", Align::left},
+                   {"planner", Align::left},
+                   {"pairs"},
+                   {"reached before"},
+                   {"now"}},
+                  {}};
+  for (const Statistic* one : statistics_shown(kComparison)) {
+    const bool of_rate = one->estimator == Estimator::rate;
+    table.columns.push_back({std::string(one->label) + (of_rate ? "\nin points" : "")});
+  }
+  return table;
 }
 
 std::vector<std::string> change_row(const PlannerChange& c) {
-  return {printable(c.group.scenario_group),
-          printable(c.group.vehicle),
-          printable(c.planner),
-          std::to_string(c.n),
-          rate_text(c.reached_before),
-          rate_text(c.reached_now),
-          change_text(c.success_change, ""),
-          change_text(c.path_ratio_change, " %"),
-          change_text(c.duration_change, " %"),
-          change_text(c.state_checks_change, " %"),
-          change_text(c.planning_time_change, " %")};
+  std::vector<std::string> row{printable(c.group.scenario_group),
+                               printable(c.group.vehicle),
+                               printable(c.planner),
+                               std::to_string(c.n),
+                               share_text(c.reached_before),
+                               share_text(c.reached_now)};
+  for (const Statistic* one : statistics_shown(kComparison))
+    row.push_back(change_text(*one, c.of(one->name)));
+  return row;
 }
 
 }  // namespace
@@ -197,11 +185,24 @@ std::string summary_text(const Summary& summary) {
     out += (out.empty() ? "" : "\n") + heading + "\n" + table.aligned();
   });
   if (!out.empty()) {
-    out +=
-        "\nSuccess and SPL are over all n trials, path ratio and time over those that reached the "
-        "goal.\nClearance is the smallest of all trials, speed the median of the trials' means.\n";
+    out += "\nOver " + trials_of(shown_of(summary)) + ". Brackets are 95 % intervals.\n";
   }
   return out;
+}
+
+std::string summary_csv(const Summary& summary) {
+  std::string csv = "scenario_group,vehicle,regulator,planner,n";
+  for (const Statistic& one : statistics())
+    for (const char* part : {"", "_low", "_high", "_n"})
+      csv.append(",").append(one.name).append(part);
+  for (const PlannerSummary& s : summary.groups) {
+    csv += "\r\n" + csv_field(s.group.scenario_group) + "," + csv_field(s.group.vehicle) + "," +
+           csv_field(s.group.regulator) + "," + csv_field(s.planner) + "," + std::to_string(s.n);
+    for (const Estimate& e : s.estimates)
+      csv += "," + cell_text(e.value) + "," + cell_text(e.interval.low) + "," +
+             cell_text(e.interval.high) + "," + std::to_string(e.n);
+  }
+  return csv + "\r\n";
 }
 
 std::string summary_markdown(const Summary& summary) {

@@ -14,8 +14,12 @@ std::string summary_text(const Summary& summary);
 // The same tables in Markdown, for a paper or a pull request.
 std::string summary_markdown(const Summary& summary);
 
-// Everything in Summary: {"groups":[...], "totals":[...], "pairings":[...]}. Absent numbers are
-// null.
+// One line per group and planner: of every statistic its value, the ends of its interval and over
+// how many trials it is.
+std::string summary_csv(const Summary& summary);
+
+// Everything in Summary: {"groups":[...], "totals":[...], "pairings":[...], "statistics":[...]},
+// the last the table of statistics itself. Absent numbers are null.
 std::string summary_json(const Summary& summary);
 
 // What changed against another run, as a table in Markdown: changes with their 95 % intervals.

@@ -17,6 +17,13 @@ std::string escaped_for_markdown(const std::string& cell) {
   return out;
 }
 
+// The part of a heading above or below its line break.
+std::string heading_line(const std::string& heading, bool lower) {
+  const std::size_t end = heading.find('\n');
+  if (end == std::string::npos) return lower ? "" : heading;
+  return lower ? heading.substr(end + 1) : heading.substr(0, end);
+}
+
 }  // namespace
 
 std::size_t text_width(std::string_view utf8) {
@@ -36,7 +43,9 @@ std::string printable(std::string_view text) {
 std::string TextTable::aligned() const {
   std::vector<std::size_t> widths;
   for (std::size_t k = 0; k < columns.size(); ++k) {
-    std::size_t width = text_width(columns[k].heading);
+    const std::string& heading = columns[k].heading;
+    std::size_t width =
+        std::max(text_width(heading_line(heading, false)), text_width(heading_line(heading, true)));
     for (const auto& row : rows) {
       width = std::max(width, text_width(row[k]));
     }
@@ -46,7 +55,7 @@ std::string TextTable::aligned() const {
   const auto put_line = [&](auto&& cell) {
     std::string line;
     for (std::size_t k = 0; k < columns.size(); ++k) {
-      const std::string& text = cell(k);
+      const std::string text = cell(k);
       const std::string blanks(widths[k] - text_width(text), ' ');
       line += k == 0 ? "" : "  ";
       line += columns[k].align == Align::left ? text + blanks : blanks + text;
@@ -54,9 +63,13 @@ std::string TextTable::aligned() const {
     line.erase(line.find_last_not_of(' ') + 1);
     out += line + "\n";
   };
-  put_line([&](std::size_t k) -> const std::string& { return columns[k].heading; });
+  put_line([&](std::size_t k) { return heading_line(columns[k].heading, false); });
+  if (std::any_of(columns.begin(), columns.end(),
+                  [](const Column& c) { return c.heading.find('\n') != std::string::npos; })) {
+    put_line([&](std::size_t k) { return heading_line(columns[k].heading, true); });
+  }
   for (const auto& row : rows) {
-    put_line([&](std::size_t k) -> const std::string& { return row[k]; });
+    put_line([&](std::size_t k) { return row[k]; });
   }
   return out;
 }
@@ -65,7 +78,9 @@ std::string TextTable::markdown() const {
   std::string out = "|";
   std::string rule = "|";
   for (const Column& column : columns) {
-    out += " " + escaped_for_markdown(column.heading) + " |";
+    std::string heading = column.heading;
+    std::replace(heading.begin(), heading.end(), '\n', ' ');
+    out += " " + escaped_for_markdown(heading) + " |";
     rule += column.align == Align::left ? ":---|" : "---:|";
   }
   out += "\n" + rule + "\n";

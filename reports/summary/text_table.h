@@ -17,7 +17,8 @@ struct TextTable {
   std::vector<Column> columns;
   std::vector<std::vector<std::string>> rows;  // each as long as columns
 
-  // Columns two blanks apart, no blanks at the end of a line.
+  // Columns two blanks apart, no blanks at the end of a line. A line break in a heading makes two
+  // lines of headings here, a blank in Markdown.
   std::string aligned() const;
   std::string markdown() const;
 };

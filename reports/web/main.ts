@@ -1,5 +1,5 @@
 import { comparisonSection } from "./pages/comparison";
-import { kGoal, MappingData, readReport, Report } from "./data/data";
+import { MappingData, readReport, Report } from "./data/data";
 import { distributions } from "./pages/distributions";
 import { el, percent } from "./elements/dom";
 import { failuresSection } from "./pages/failures";
@@ -7,6 +7,7 @@ import { figure9Section, hasFigure9 } from "./pages/figure9";
 import { filterBar } from "./elements/filter_bar";
 import { pageOf } from "./elements/links";
 import { buildMappingPage, mappingSection } from "./pages/mapping";
+import { failed } from "./elements/outcomes";
 import { overview } from "./pages/overview";
 import { Palette } from "./elements/palette";
 import { manifestEntries, provenanceSection } from "./pages/provenance";
@@ -22,7 +23,7 @@ import { startTooltips } from "./elements/tooltip";
 const kHeadlineFacts = ["version", "commit", "compiler", "build_type", "processor", "seed", "started_utc"];
 
 function header(report: Report): HTMLElement {
-  const reached = report.trials.filter((t) => t.outcome === kGoal).length;
+  const reached = report.trials.filter((t) => !failed(t.outcome)).length;
   const facts: [string, string][] = [
     ["trials", String(report.trials.length)],
     ["reached the goal", `${reached} (${percent(report.trials.length ? reached / report.trials.length : null)})`],

@@ -17,7 +17,7 @@ std::string small_suite_text(const std::string& name, const std::vector<std::str
       "  - {name: wood, generator: {name: forest, side_m: 6, density_per_m2: 0.05}}\n"
       "vehicles: [quadrotor]\nplanners:\n";
   for (const std::string& label : labels) text += "  - {name: RRTConnect, label: " + label + "}\n";
-  return text + "limits: {memory_mb: 256, cpu_s: 1, wall_s: 120}\n";
+  return text + "limits: {memory_mb: 256, cpu_s: 600, wall_s: 600}\n";
 }
 
 SuiteConfig small_suite(const std::string& name, const std::vector<std::string>& labels,
@@ -38,17 +38,6 @@ ShortestReferences made_up_references() {
   return ShortestReferences([](const Scenario& scenario, double radius_m) {
     return (scenario.goal_world - scenario.start_world).norm() + radius_m;
   });
-}
-
-TemporaryFolder::TemporaryFolder() {
-  std::string name = (std::filesystem::temp_directory_path() / "voronaut-XXXXXX").string();
-  if (mkdtemp(name.data()) == nullptr) throw std::runtime_error("no temporary folder");
-  path_ = name;
-}
-
-TemporaryFolder::~TemporaryFolder() {
-  std::error_code ignored;
-  std::filesystem::remove_all(path_, ignored);
 }
 
 }  // namespace voronaut

@@ -1,11 +1,11 @@
 #pragma once
 
-#include <filesystem>
 #include <functional>
 #include <string>
 
 #include "voronaut/benchmarks/runner/runner.h"
 #include "voronaut/benchmarks/suite/suite_config.h"
+#include "voronaut/tests/support/temporary_folder.h"
 
 // Suites of a few trials that no planner has to fly: a made-up flight answers for each.
 namespace voronaut {
@@ -22,18 +22,5 @@ TrialResult made_up_flight(const TrialSpec& spec);
 
 // References without any search.
 ShortestReferences made_up_references();
-
-// A folder of its own that vanishes with it.
-class TemporaryFolder {
- public:
-  TemporaryFolder();
-  TemporaryFolder(const TemporaryFolder&) = delete;
-  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
-  ~TemporaryFolder();
-  const std::filesystem::path& path() const { return path_; }
-
- private:
-  std::filesystem::path path_;
-};
 
 }  // namespace voronaut

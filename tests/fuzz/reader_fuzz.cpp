@@ -10,8 +10,11 @@
 #include "voronaut/environments/formats/movingai.h"
 #include "voronaut/environments/formats/ompl_worlds.h"
 #include "voronaut/environments/formats/pathbench.h"
+#include "voronaut/environments/formats/png_image.h"
 #include "voronaut/environments/formats/ros_map.h"
 #include "voronaut/environments/formats/sdf_world.h"
+#include "voronaut/environments/formats/wkt.h"
+#include "voronaut/environments/scenario/scenario.h"
 
 // A libFuzzer target for each reader of foreign files: the environment variable VORONAUT_READER
 // names it. Whatever the bytes are, a reader returns a world or throws ConfigError.
@@ -19,6 +22,27 @@ namespace voronaut {
 namespace {
 
 using Reader = void (*)(const std::string& text);
+
+// Asks every value of a file for what it could be.
+void visit(const ConfigNode& node) {
+  const auto ask = [](const auto& question) {
+    try {
+      question();
+    } catch (const ConfigError&) {
+    }
+  };
+  ask([&] { node.number(-1, 1); });
+  ask([&] { node.whole_number(-1, 1); });
+  ask([&] { node.flag(); });
+  ask([&] { node.text(); });
+  ask([&] { node.choice({"circle", "square"}); });
+  ask([&] { node.numbers(2, "[x, y]"); });
+  ask([&] { node.allow_only({"circles", "boxes"}); });
+  if (node.is_list())
+    for (const ConfigNode& item : node.items()) visit(item);
+  if (node.is_map())
+    for (const std::string& key : node.keys()) visit(node.child(key));
+}
 
 const std::map<std::string, Reader> kReaders = {
     {"movingai_map",
@@ -31,15 +55,22 @@ const std::map<std::string, Reader> kReaders = {
        parse_movingai_scen(text, "f", {4, 3, 0.25}, "m.map");
      }},
     {"pgm", [](const std::string& text) { parse_pgm(text, "f"); }},
+    {"png",
+     [](const std::string& text) {
+       parse_png(text, "f", text.size() % 2 == 0 ? PngAlpha::channel : PngAlpha::unknown);
+     }},
     {"ros_map",
      [](const std::string& text) { read_ros_map_description(ConfigNode::parse(text, "f")); }},
-    {"sdf", [](const std::string& text) { parse_sdf_world(text, "f"); }},
+    {"sdf", [](const std::string& text) { parse_sdf_world(text, "f", {}); }},
     {"pathbench", [](const std::string& text) { read_pathbench(ConfigNode::parse(text, "f"), 1); }},
     {"ir_sim", [](const std::string& text) { read_ir_sim(ConfigNode::parse(text, "f")); }},
     {"dodgedrone", [](const std::string& text) { parse_dodgedrone(text, "f", {}); }},
     {"ompl_circles", [](const std::string& text) { parse_ompl_circles(text, "f"); }},
     {"ompl_circle_queries", [](const std::string& text) { parse_ompl_circle_queries(text, "f"); }},
     {"ompl_env", [](const std::string& text) { parse_ompl_environment(text, "f", 1); }},
+    {"wkt", [](const std::string& text) { wkt_of(parse_wkt_lines(text, "f")); }},
+    {"config", [](const std::string& text) { visit(ConfigNode::parse(text, "f")); }},
+    {"scenario", [](const std::string& text) { read_scenarios(ConfigNode::parse(text, "f"), {}); }},
     {"circles_csv", [](const std::string& text) { parse_circles_csv(text, "f"); }},
 };
 

@@ -277,7 +277,7 @@ RunRecord make_record(const std::string& trial_id) {
   record.shortest_length_m = 14.2;
   record.path_ratio = 15.25 / 14.2;
   record.spl = 14.2 / 15.25;
-  record.clearance_min_m = 0.51;
+  record.clearance_smallest_m = 0.51;
   record.replans = 17;
   record.modes = "none left";
   record.planning_time_us_mean = 41.5;
@@ -296,8 +296,9 @@ void fill_results(RunRecord& record, std::mt19937_64& engine, std::size_t planne
   record.spl = good ? 1.0 / record.path_ratio : 0.0;
   record.path_length_m = 14.2 * (good ? record.path_ratio : uniform(engine, 0.2, 1.5));
   record.duration_s = record.path_length_m / uniform(engine, 1.0, 2.0);
-  record.clearance_min_m = record.outcome == Outcome::collision ? 0.25 : uniform(engine, 0.3, 0.8);
-  record.clearance_mean_m = record.clearance_min_m + 0.5;
+  record.clearance_smallest_m =
+      record.outcome == Outcome::collision ? 0.25 : uniform(engine, 0.3, 0.8);
+  record.clearance_mean_m = record.clearance_smallest_m + 0.5;
   record.speed_mean_m_s = uniform(engine, 0.8, 2.0);
   record.speed_max_m_s = 2.5;
   record.replans = static_cast<std::int64_t>(engine() % 40);

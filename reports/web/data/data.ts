@@ -2,6 +2,7 @@
 
 import type { MappedLog } from "./mapped_log";
 import type { Micro } from "./micro_results";
+import { OutcomeEntry, useOutcomes } from "../elements/outcomes";
 
 export interface MappingData {
   micro: Micro;
@@ -12,6 +13,25 @@ export interface Estimate {
   value: number | null;
   interval: [number | null, number | null];
   n: number;
+}
+
+// A line of the table of statistics (reports/summary/statistics.h).
+export interface Statistic {
+  name: string;
+  column: string;   // of a record that it is over, if it is one
+  label: string;
+  heading: string;  // label, line break, estimator and unit
+  about: string;
+  unit: string;
+  rate: boolean;
+  better: "more" | "less" | "";
+  digits: number;       // of a rate those of its percentage
+  of_reached: boolean;  // over the trials that reached the goal, else over all that have a value
+  question: string;     // title of the plot of its values, if there is one
+  logarithmic: boolean;
+  in_table: boolean;
+  in_sweeps: boolean;
+  in_comparison: boolean;
 }
 
 export interface Rate extends Estimate {
@@ -28,20 +48,8 @@ export interface GroupKey {
 export interface PlannerSummary extends GroupKey {
   planner: string;
   n: number;
-  success: Rate;
-  collisions: Rate;
   outcomes: Record<string, number>;
-  path_ratio_median: Estimate;
-  path_ratio_p95: Estimate;
-  spl_mean: Estimate;
-  duration_median_s: Estimate;
-  clearance_min_m: number | null;
-  clearance_median_m: Estimate;
-  speed_mean_median_m_s: Estimate;
-  replans_median: Estimate;
-  state_checks_median: Estimate;
-  planning_time_us_median: Estimate;
-  step_time_us_median: Estimate;
+  statistics: Record<string, Estimate>;  // by name; a rate is a Rate
 }
 
 export interface PlannerPairing extends GroupKey {
@@ -62,11 +70,7 @@ export interface PlannerChange extends GroupKey {
   reached_now: Rate;
   gained: number;  // trials that failed there and reach the goal here
   lost: number;    // the other way round
-  success_change: Estimate;        // mean over all pairs
-  path_ratio_change: Estimate;     // relative, median over pairs that both reached the goal
-  duration_change: Estimate;       // the same
-  state_checks_change: Estimate;   // relative, median over all pairs
-  planning_time_change: Estimate;  // the same; measured
+  changes: Record<string, Estimate>;  // by name of statistic: of a rate the mean, else relative, the median
 }
 
 export interface OutcomeChange {
@@ -119,7 +123,7 @@ export interface Trial {
   path_length_m: number;
   path_ratio: number;
   spl: number;
-  clearance_min_m: number;
+  clearance_smallest_m: number;
   speed_mean_m_s: number;
   end_x_m: number;
   end_y_m: number;
@@ -133,8 +137,10 @@ type TextColumn = { texts: string[]; index: number[] };
 interface Payload {
   title: string;
   manifest: unknown;
-  outcomes: string[];
-  summary: { groups: PlannerSummary[]; totals: PlannerSummary[]; pairings: PlannerPairing[] };
+  columns: Record<string, { unit: string; about: string }>;  // of a trial
+  outcomes: OutcomeEntry[];
+  summary: { groups: PlannerSummary[]; totals: PlannerSummary[]; pairings: PlannerPairing[];
+    statistics: Statistic[] };
   trials: Record<string, TextColumn | (number | null)[]>;
   worlds: World[];
   traces: Record<string, string>;
@@ -146,14 +152,14 @@ interface Payload {
 
 export interface Report extends Omit<Payload, "trials" | "worlds"> {
   trials: Trial[];
-  columns: string[];
   worlds: Map<string, World>;
   planners: string[];
   groups: string[];
   vehicles: string[];  // "vehicle" or "vehicle, regulator": what is compared with its like only
 }
 
-export const kGoal = "goal_reached";
+// The share of trials that reached the goal: the first of the statistics.
+export const kReached = "goal_reached_share";
 
 export function vehicleOf(key: { vehicle: string; regulator: string }): string {
   return key.regulator ? `${key.vehicle}, ${key.regulator}` : key.vehicle;
@@ -190,10 +196,10 @@ function readTrials(columns: Payload["trials"]): Trial[] {
 export function readReport(json: string): Report {
   const payload = JSON.parse(json) as Payload;
   const trials = readTrials(payload.trials);
+  useOutcomes(payload.outcomes);
   return {
     ...payload,
     trials,
-    columns: Object.keys(payload.trials),
     worlds: new Map(payload.worlds.map((w) => [w.world_id, w])),
     planners: distinct(trials.map((t) => t.planner)),
     groups: distinct(trials.map((t) => t.scenario_group)),

@@ -1,6 +1,6 @@
 // Numbers with what they rest on: interval, n.
-import type { Estimate, Rate } from "../data/data";
-import { el, fixed, nameOf, percent, svg } from "./dom";
+import type { Estimate, Rate, Statistic } from "../data/data";
+import { el, fixed, kShareDigits, nameOf, percent, svg } from "./dom";
 import { Palette } from "./palette";
 
 function rateBar(rate: Rate): SVGElement {
@@ -19,18 +19,21 @@ function rateBar(rate: Rate): SVGElement {
   return bar;
 }
 
-export function rateCell(rate: Rate): HTMLElement {
-  return el("span", {}, rateBar(rate), ` ${percent(rate.value)} `,
-    el("small", {}, `${rate.successes}/${rate.n}, 95 % [${fixed(100 * (rate.interval[0] ?? NaN), 0)}, ` +
-      `${fixed(100 * (rate.interval[1] ?? NaN), 0)}]`));
+export function rateCell(rate: Rate, digits = kShareDigits): HTMLElement {
+  const [low, high] = rate.interval;
+  return el("span", {}, rateBar(rate), ` ${percent(rate.value, digits)} `,
+    el("small", {}, `${rate.successes}/${rate.n}, 95 % [${fixed(100 * (low ?? NaN), digits)}, ` +
+      `${fixed(100 * (high ?? NaN), digits)}]`));
 }
 
-export function estimateCell(estimate: Estimate, decimals: number, ofAll: number): HTMLElement {
+// A number of the table of statistics, of `ofAll` trials.
+export function statisticCell(statistic: Statistic, estimate: Estimate, ofAll: number): HTMLElement {
+  if (statistic.rate) return rateCell(estimate as Rate, statistic.digits);
   const [low, high] = estimate.interval;
   const parts = [];
-  if (low !== null) parts.push(`[${fixed(low, decimals)}, ${fixed(high, decimals)}]`);
+  if (low !== null) parts.push(`[${fixed(low, statistic.digits)}, ${fixed(high, statistic.digits)}]`);
   if (estimate.n !== ofAll) parts.push(`over ${estimate.n}`);
-  return el("span", {}, fixed(estimate.value, decimals),
+  return el("span", {}, fixed(estimate.value, statistic.digits),
     parts.length > 0 && el("small", {}, parts.join(" ")));
 }
 

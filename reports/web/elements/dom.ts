@@ -36,8 +36,10 @@ export function fixed(value: number | null | undefined, decimals: number): strin
     ? "\u2013" : value.toFixed(decimals).replace(/^-(?=[0.]*$)/, "");
 }
 
-export function percent(value: number | null | undefined): string {
-  return value === null || value === undefined ? "\u2013" : `${fixed(100 * value, 0)} %`;
+export const kShareDigits = 1;  // of a share in percent: 999 of 1000 are not all
+
+export function percent(value: number | null | undefined, digits = kShareDigits): string {
+  return value === null || value === undefined ? "\u2013" : `${fixed(100 * value, digits)} %`;
 }
 
 export function saveText(name: string, type: string, text: string): void {

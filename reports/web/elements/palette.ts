@@ -43,25 +43,3 @@ export class Palette {
       svg("path", { d: this.symbolPath(planner, 46), transform: "translate(17,6)" }));
   }
 }
-
-// Sign and words for each way a trial ends; the sign is drawn where it ended.
-const kOutcomes: Record<string, [sign: string, words: string]> = {
-  goal_reached: ["\u2713", "goal reached"],
-  collision: ["\u2715", "collision"],
-  out_of_bounds: ["\u2197", "out of bounds"],
-  timeout: ["T", "timeout"],
-  stuck: ["S", "stuck"],
-  infeasible: ["\u2205", "infeasible"],
-  invalid: ["?", "invalid"],
-  killed: ["K", "killed"],
-  crash: ["!", "crash"],
-  memory: ["M", "memory"],
-};
-
-export function outcomeSign(outcome: string): string {
-  return kOutcomes[outcome]?.[0] ?? "?";
-}
-
-export function outcomeWords(outcome: string): string {
-  return kOutcomes[outcome]?.[1] ?? outcome;
-}

@@ -2,7 +2,7 @@ import { el } from "./dom";
 
 // A table whose columns sort when their heading is pressed.
 export interface Column<Row> {
-  heading: string;
+  heading: string | HTMLElement;
   title?: string;
   text?: boolean;  // left-aligned
   wrap?: boolean;

@@ -1,9 +1,10 @@
 // This run against another one: what changed, trial by trial of the same scenario and repetition.
-import { groupName, plannerCell } from "../elements/cells";
-import { byName, Estimate, kGoal, OutcomeChange, PlannerChange, Rate, Report, vehicleOf } from "../data/data";
-import { el, fixed, nameOf, percent } from "../elements/dom";
+import { groupName, plannerCell, rateCell } from "../elements/cells";
+import { byName, Estimate, OutcomeChange, PlannerChange, Report, Statistic, vehicleOf } from "../data/data";
+import { el, fixed, nameOf } from "../elements/dom";
 import { replayLink } from "../elements/links";
-import { outcomeSign, outcomeWords, Palette } from "../elements/palette";
+import { outcomeText } from "../elements/outcomes";
+import { Palette } from "../elements/palette";
 import type { Filter } from "../data/sample";
 import { Column, table } from "../elements/table";
 import { hasTrace } from "../data/trace";
@@ -17,61 +18,55 @@ function signed(value: number | null, decimals: number): string {
 const kFewestPairs = 6;
 
 // Whether an interval leaves zero out, and on which side.
-function verdict(change: Estimate, moreIsBetter: boolean): "better" | "worse" | "" {
+function verdict(change: Estimate, better: Statistic["better"]): "better" | "worse" | "" {
   const [low, high] = change.interval;
   if (change.n < kFewestPairs || low === null || high === null || (low <= 0 && high >= 0)) return "";
-  return (low > 0) === moreIsBetter ? "better" : "worse";
+  if (better === "") return "";
+  return (low > 0) === (better === "more") ? "better" : "worse";
 }
 
-function changeCell(change: Estimate, moreIsBetter: boolean, unit: string): HTMLElement {
-  const word = verdict(change, moreIsBetter);
+function changeCell(change: Estimate, statistic: Statistic): HTMLElement {
+  const word = verdict(change, statistic.better);
   const kind = word === "better" ? "good" : word === "worse" ? "bad" : "";
+  const unit = statistic.rate ? "" : "%";
   return el("span", { class: kind }, change.n === 0 ? "\u2013" : `${signed(change.value, 1)} ${unit}`,
     word && el("b", {}, ` ${word}`),
     change.interval[0] !== null && el("small", {}, `[${signed(change.interval[0], 1)}, ` +
       `${signed(change.interval[1], 1)}] over ${change.n}`));
 }
 
-function rateText(rate: Rate): HTMLElement {
-  return el("span", {}, percent(rate.value), el("small", {}, `${rate.successes}/${rate.n}, ` +
-    `[${fixed(100 * (rate.interval[0] ?? NaN), 0)}, ${fixed(100 * (rate.interval[1] ?? NaN), 0)}]`));
-}
-
-function changeTable(rows: PlannerChange[], palette: Palette): HTMLElement {
-  const change = (heading: string, key: keyof PlannerChange, moreIsBetter: boolean, unit: string,
-                  title: string): Column<PlannerChange> => ({
-    heading, title,
-    cell: (r) => changeCell(r[key] as Estimate, moreIsBetter, unit),
-    order: (r) => (r[key] as Estimate).value ?? NaN,
+function changeTable(rows: PlannerChange[], statistics: Statistic[], palette: Palette): HTMLElement {
+  const column = (s: Statistic): Column<PlannerChange> => ({
+    heading: s.rate ? `${s.label},\npoints` : s.label,
+    title: s.rate ? "change in percentage points, over all pairs"
+      : `median change of pairs that both have it; ${s.about}`,
+    cell: (r) => changeCell(r.changes[s.name], s),
+    order: (r) => r.changes[s.name].value ?? NaN,
   });
+  const compared = statistics.filter((s) => s.in_comparison);
   return table("What changed, with 95 % intervals over the pairs", [
     { heading: "scenarios", text: true, cell: (r) => nameOf(groupName(r)), order: groupName },
     { heading: "vehicle", text: true, cell: (r) => nameOf(vehicleOf(r)), order: vehicleOf },
     { heading: "planner", text: true, cell: (r) => plannerCell(r.planner, palette), order: (r) => r.planner },
     { heading: "pairs", cell: (r) => String(r.n), order: (r) => r.n },
-    { heading: "goal reached\nthere", cell: (r) => rateText(r.reached_before),
+    { heading: "goal reached\nthere", cell: (r) => rateCell(r.reached_before),
       order: (r) => r.reached_before.value ?? NaN },
-    { heading: "goal reached\nhere", cell: (r) => rateText(r.reached_now),
+    { heading: "goal reached\nhere", cell: (r) => rateCell(r.reached_now),
       order: (r) => r.reached_now.value ?? NaN },
-    change("change,\npoints", "success_change", true, "", "percentage points, over all pairs"),
+    ...compared.filter((s) => s.rate).map(column),
     { heading: "gained,\nlost", cell: (r) => `+${r.gained}, \u2212${r.lost}`, order: (r) => r.gained - r.lost },
-    change("path ratio", "path_ratio_change", false, "%", "median change of pairs that both reached the goal"),
-    change("time to goal", "duration_change", false, "%", "median change of pairs that both reached the goal"),
-    change("state checks", "state_checks_change", false, "%", "median change of all pairs"),
-    change("planning time", "planning_time_change", false, "%", "median change of all pairs; measured"),
+    ...compared.filter((s) => !s.rate).map(column),
   ], rows, (r) => palette.className(r.planner));
 }
 
 function outcomeTable(report: Report, rows: OutcomeChange[], palette: Palette): HTMLElement {
-  const words = (outcome: string): HTMLElement => el("span", { class: outcome === kGoal ? "good" : "bad" },
-    `${outcomeSign(outcome)} ${outcomeWords(outcome)}`);
   return table(`${rows.length} trials end differently`, [
     { heading: "planner", text: true, cell: (r) => plannerCell(r.planner, palette), order: (r) => r.planner },
     { heading: "scenario", text: true, cell: (r) => nameOf(r.scenario), order: (r) => r.scenario },
     { heading: "vehicle", text: true, cell: (r) => nameOf(vehicleOf(r)), order: vehicleOf },
     { heading: "repetition", cell: (r) => String(r.repetition), order: (r) => r.repetition },
-    { heading: "there", text: true, cell: (r) => words(r.outcome_before), order: (r) => r.outcome_before },
-    { heading: "here", text: true, cell: (r) => words(r.outcome_now), order: (r) => r.outcome_now },
+    { heading: "there", text: true, cell: (r) => outcomeText(r.outcome_before), order: (r) => r.outcome_before },
+    { heading: "here", text: true, cell: (r) => outcomeText(r.outcome_now), order: (r) => r.outcome_now },
     { heading: "reason here", text: true, wrap: true, cell: (r) => el("bdi", {}, r.reason_now) },
     { heading: "replay", text: true, cell: (r) => hasTrace(report, r.trial_id)
       ? el("a", { href: replayLink([r.trial_id]) }, "watch") : "\u2013" },
@@ -91,6 +86,7 @@ export function comparisonSection(report: Report, palette: Palette, filter: Filt
       `worse where its 95 % interval leaves zero out, from ${kFewestPairs} pairs on.`,
       alone > 0 && ` ${other.only_here} trials here and ${other.only_there} there have no partner.`),
     changeTable(other.changes.filter((r) => keep(r) && (!filter.group || r.scenario_group === filter.group))
-      .sort((a, b) => byName(groupName(a), groupName(b)) || byName(a.planner, b.planner)), palette),
+      .sort((a, b) => byName(groupName(a), groupName(b)) || byName(a.planner, b.planner)),
+      report.summary.statistics, palette),
     outcomeTable(report, other.outcomes.filter(keep), palette));
 }

@@ -1,8 +1,9 @@
 // Every trial that did not reach the goal, with its reason.
-import { byName, kGoal, Report, Trial, vehicleOf, World } from "../data/data";
+import { byName, Report, Trial, vehicleOf, World } from "../data/data";
 import { button, el, fixed, nameOf, select } from "../elements/dom";
 import { replayLink } from "../elements/links";
-import { outcomeSign, outcomeWords, Palette } from "../elements/palette";
+import { failed as isFailed, outcomeText, outcomeWords } from "../elements/outcomes";
+import { Palette } from "../elements/palette";
 import { commandOf } from "../elements/repeat_command";
 import { Filter, keeps } from "../data/sample";
 import { Scene, scenesOf } from "../data/scene";
@@ -47,7 +48,7 @@ function columnsFor(report: Report, palette: Palette, scenes: Map<string, Scene>
       return scene ? thumbnail(report, scene, t, palette) : "no trace kept";
     } },
     { heading: "outcome", text: true, order: (t) => t.outcome,
-      cell: (t) => el("span", { class: "bad" }, `${outcomeSign(t.outcome)} ${outcomeWords(t.outcome)}`) },
+      cell: (t) => outcomeText(t.outcome) },
     { heading: "planner", text: true, order: (t) => t.planner,
       cell: (t) => el("span", {}, palette.swatch(t.planner), " ", nameOf(t.planner)) },
     { heading: "scenario, vehicle, repetition", text: true, order: (t) => t.scenario,
@@ -71,14 +72,14 @@ function classTable(failed: Trial[], palette: Palette): HTMLElement {
     { heading: "planner", text: true, order: (p) => p,
       cell: (p) => el("span", {}, palette.swatch(p), " ", nameOf(p)) },
     ...outcomes.map((outcome): Column<string> => ({
-      heading: `${outcomeSign(outcome)} ${outcomeWords(outcome)}`,
+      heading: outcomeText(outcome),
       cell: (p) => String(count(p, outcome)), order: (p) => count(p, outcome),
     })),
   ], planners, (p) => palette.className(p));
 }
 
 export function failuresSection(report: Report, palette: Palette, filter: Filter): HTMLElement {
-  const failed = report.trials.filter((t) => t.outcome !== kGoal && keeps(filter, t))
+  const failed = report.trials.filter((t) => isFailed(t.outcome) && keeps(filter, t))
     .sort((a, b) => byName(a.outcome, b.outcome) || byName(a.planner, b.planner) ||
       byName(a.scenario, b.scenario));
   if (failed.length === 0) return el("p", {}, "Every trial reached the goal.");

@@ -4,7 +4,8 @@ import { plannerCell } from "../elements/cells";
 import { el, fixed, nameOf, select } from "../elements/dom";
 import { waysButtons } from "./drawn_ways";
 import { replayLink } from "../elements/links";
-import { outcomeSign, outcomeWords, Palette } from "../elements/palette";
+import { outcomeText } from "../elements/outcomes";
+import { Palette } from "../elements/palette";
 import { Filter, keeps } from "../data/sample";
 import { firstPerPlanner, Scene, scenesOf } from "../data/scene";
 import { sceneDrawing, whenSeen } from "./scenes";
@@ -39,14 +40,13 @@ function numbers(scenes: Scene[], chosen: (scene: Scene) => Trial[], palette: Pa
       cell: (t) => captions.get(t.scenario) ?? t.scenario },
     { heading: "planner", text: true, order: (t) => t.planner, cell: (t) => plannerCell(t.planner, palette) },
     { heading: "outcome", text: true, order: (t) => t.outcome,
-      cell: (t) => el("span", { class: t.outcome === "goal_reached" ? "good" : "bad", title: t.reason },
-        `${outcomeSign(t.outcome)} ${outcomeWords(t.outcome)}`) },
+      cell: (t) => el("span", { title: t.reason }, outcomeText(t.outcome)) },
     { heading: "modes in order", text: true, order: (t) => t.modes, cell: (t) => t.modes || "\u2013" },
     number("path, m", 2, (t) => t.path_length_m),
     number("path ratio", 3, (t) => t.path_ratio),
     number("time, s", 2, (t) => t.duration_s),
     number("mean speed, m/s", 2, (t) => t.speed_mean_m_s),
-    number("smallest clearance, m", 2, (t) => t.clearance_min_m),
+    number("smallest clearance, m", 2, (t) => t.clearance_smallest_m),
     number("mean clearance, m", 2, (t) => Number(t.clearance_mean_m)),
   ], rows, (t) => palette.className(t.planner));
 }

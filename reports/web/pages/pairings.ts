@@ -1,7 +1,7 @@
 // Who beats whom on the same worlds.
 import { groupName, plannerCell, rateCell } from "../elements/cells";
 import { byName, PlannerPairing, Report, vehicleOf } from "../data/data";
-import { el, fixed, nameOf, percent, svg } from "../elements/dom";
+import { el, fixed, kShareDigits, nameOf, percent, svg } from "../elements/dom";
 import { Palette } from "../elements/palette";
 import type { Filter } from "../data/sample";
 import { Column, table } from "../elements/table";
@@ -53,7 +53,8 @@ function duelCell(duel: Duel, palette: Palette): HTMLElement {
     `${duel.ties} tied, ${duel.losses} lost` },
     duelBar(duel, palette), ` ${duel.wins}\u2013${duel.ties}\u2013${duel.losses}`,
     el("small", {}, duel.share === null ? "none decided"
-      : `${percent(duel.share)} [${fixed(100 * (low ?? NaN), 0)}, ${fixed(100 * (high ?? NaN), 0)}]`));
+      : `${percent(duel.share)} [${fixed(100 * (low ?? NaN), kShareDigits)}, ` +
+        `${fixed(100 * (high ?? NaN), kShareDigits)}]`));
 }
 
 function duelMatrix(pairings: PlannerPairing[], caption: string, palette: Palette): HTMLElement {

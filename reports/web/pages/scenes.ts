@@ -1,8 +1,9 @@
 // One drawing per scenario and world: what is there, what was known of it at the end, and the ways.
-import { kGoal, Report, Trial, World } from "../data/data";
+import { Report, Trial, World } from "../data/data";
 import { button, el, fixed, nameOf, select, svg } from "../elements/dom";
 import { waysButtons } from "./drawn_ways";
-import { outcomeSign, outcomeWords, Palette } from "../elements/palette";
+import { failed, outcomeSign, outcomeText, outcomeWords } from "../elements/outcomes";
+import { Palette } from "../elements/palette";
 import { replayLink } from "../elements/links";
 import { Filter, keeps } from "../data/sample";
 import { extentOf, firstPerPlanner, Scene, scenesOf } from "../data/scene";
@@ -102,7 +103,7 @@ function drawTrack(root: SVGElement, trial: Trial, trace: Trace, view: View, pal
       "stroke-dasharray": palette.dash(trial.planner) }),
     svg("circle", { class: "body", cx: view.x(endX), cy: view.y(endY),
       r: Math.max(2, trace.body_radius_m * view.scale) }));
-  if (trial.outcome !== kGoal) {
+  if (failed(trial.outcome)) {
     g.append(svg("text", { class: "sign", x: view.x(endX), y: view.y(endY) + 9 },
       outcomeSign(trial.outcome)));
   }
@@ -133,17 +134,14 @@ export async function sceneDrawing(
 }
 
 function resultText(trial: Trial): string {
-  return trial.outcome === kGoal
-    ? `ratio ${fixed(trial.path_ratio, 3)}, ${fixed(trial.duration_s, 1)} s`
-    : `after ${fixed(trial.duration_s, 1)} s`;
+  return failed(trial.outcome) ? `after ${fixed(trial.duration_s, 1)} s`
+    : `ratio ${fixed(trial.path_ratio, 3)}, ${fixed(trial.duration_s, 1)} s`;
 }
 
 function trialLine(trial: Trial, palette: Palette): HTMLElement {
-  const good = trial.outcome === kGoal;
   return el("li", { class: palette.className(trial.planner), title: trial.reason },
     palette.swatch(trial.planner), nameOf(trial.planner),
-    el("span", { class: good ? "good" : "bad" },
-      `${outcomeSign(trial.outcome)} ${outcomeWords(trial.outcome)}`),
+    outcomeText(trial.outcome),
     el("span", { class: "result soft" }, resultText(trial)));
 }
 

@@ -4,10 +4,11 @@ import { axisBottom } from "d3-axis";
 import { ascending, quantile } from "d3-array";
 import { scaleBand, scaleLinear, scaleLog } from "d3-scale";
 
-import { kGoal, Trial } from "../data/data";
+import type { Trial } from "../data/data";
 import { csv, fixed, svg } from "../elements/dom";
 import { drawAxes, figureOf, frame, kHeight, kMargin, kWidth, legend } from "./figure";
-import { outcomeWords, Palette } from "../elements/palette";
+import { failed, outcomeWords } from "../elements/outcomes";
+import { Palette } from "../elements/palette";
 import { Sample, Value } from "../data/sample";
 
 const kMostDots = 400;  // of a row; failures are always drawn
@@ -53,8 +54,8 @@ function drawBox(g: SVGElement, row: Row, value: Value, { x, mid, half }: Place)
 function drawDots(g: SVGElement, row: Row, value: Value, { x, mid, half }: Place): void {
   const step = Math.max(1, Math.ceil(row.shown.length / kMostDots));
   row.shown.forEach((trial, i) => {
-    if (i % step !== 0 && trial.outcome === kGoal) return;
-    g.append(svg("circle", { class: trial.outcome === kGoal ? "dot" : "failed", r: 2.6,
+    if (i % step !== 0 && !failed(trial.outcome)) return;
+    g.append(svg("circle", { class: failed(trial.outcome) ? "failed" : "dot", r: 2.6,
       cx: x(value(trial)).toFixed(1), cy: (mid + 2 * half * jitter(i)).toFixed(1),
       "data-tip": `${row.planner}, ${trial.scenario}, repetition ${trial.repetition}\n` +
         `${readable(value(trial))}, ${outcomeWords(trial.outcome)}` }));

@@ -3,9 +3,9 @@ import { axisLeft } from "d3-axis";
 import { ascending, bisectRight, quantile } from "d3-array";
 import { scaleLinear } from "d3-scale";
 
-import { kGoal } from "../data/data";
 import { csv, fixed, percent, svg } from "../elements/dom";
 import { drawAxes, figureOf, frame, kHeight, kMargin, kWidth, legend } from "./figure";
+import { failed } from "../elements/outcomes";
 import { Palette } from "../elements/palette";
 import { Sample, Value } from "../data/sample";
 import { probe } from "../elements/tooltip";
@@ -20,7 +20,7 @@ function curveOf(sample: Sample, value: Value): Curve {
   return {
     planner: sample.planner,
     total: sample.trials.length,
-    values: sample.trials.filter((t) => t.outcome === kGoal && !Number.isNaN(value(t))).map(value)
+    values: sample.trials.filter((t) => !failed(t.outcome) && !Number.isNaN(value(t))).map(value)
       .sort(ascending),
   };
 }

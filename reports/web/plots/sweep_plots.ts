@@ -2,41 +2,12 @@
 import { axisLeft } from "d3-axis";
 import { scaleLinear, scaleLog } from "d3-scale";
 
-import type { Estimate, PlannerSummary, Report } from "../data/data";
-import { csv, el, fixed, svg } from "../elements/dom";
+import type { Report, Statistic } from "../data/data";
+import { csv, el, fixed, percent, svg } from "../elements/dom";
 import { drawAxes, figureOf, frame, kHeight, kMargin, kWidth, legend } from "./figure";
 import { Palette } from "../elements/palette";
 import type { Filter } from "../data/sample";
 import { Sweep, SweepPoint, sweepsOf } from "../data/sweep";
-
-interface Metric {
-  id: string;
-  title: string;
-  yName: string;
-  decimals: number;
-  share?: boolean;
-  logarithmic?: boolean;
-  of: (summary: PlannerSummary) => Estimate;
-}
-
-const kMetrics: Metric[] = [
-  { id: "success", title: "Who still arrives", yName: "share that reached the goal", decimals: 3,
-    share: true, of: (s) => s.success },
-  { id: "ratio", title: "Path ratio", yName: "path ratio, median", decimals: 3,
-    of: (s) => s.path_ratio_median },
-  { id: "ratio95", title: "Tail of the path ratio", yName: "path ratio, 95th percentile", decimals: 3,
-    of: (s) => s.path_ratio_p95 },
-  { id: "duration", title: "Time to goal", yName: "time to goal in s, median", decimals: 2,
-    of: (s) => s.duration_median_s },
-  { id: "clearance", title: "Clearance", yName: "smallest clearance in m, median of trials", decimals: 3,
-    of: (s) => s.clearance_median_m },
-  { id: "speed", title: "Speed", yName: "mean speed in m/s, median of trials", decimals: 2,
-    of: (s) => s.speed_mean_median_m_s },
-  { id: "checks", title: "Planning work", yName: "state checks per trial, median (logarithmic)",
-    decimals: 0, logarithmic: true, of: (s) => s.state_checks_median },
-  { id: "planning", title: "Planning time", yName: "planning in \u00B5s per scan, median (logarithmic)",
-    decimals: 1, logarithmic: true, of: (s) => s.planning_time_us_median },
-];
 
 interface Drawn {
   label: string;
@@ -44,20 +15,32 @@ interface Drawn {
   points: (SweepPoint & { y: number; low: number; high: number; n: number })[];
 }
 
-function drawn(sweep: Sweep, metric: Metric): Drawn[] {
+function drawn(sweep: Sweep, metric: Statistic): Drawn[] {
   return sweep.lines.map((line) => ({
     ...line,
     points: line.points.map((p) => {
-      const { value, interval, n } = metric.of(p.summary);
+      const { value, interval, n } = p.summary.statistics[metric.name];
       const y = value ?? NaN;
       return { ...p, y, n, low: interval[0] ?? y, high: interval[1] ?? y };
     }).filter((p) => !Number.isNaN(p.y) && (!metric.logarithmic || p.y > 0)),
   })).filter((line) => line.points.length > 0);
 }
 
-function yScale(lines: Drawn[], metric: Metric): any {
+function written(value: number, metric: Statistic): string {
+  return metric.rate ? percent(value, metric.digits) : fixed(value, metric.digits);
+}
+
+function axisName(metric: Statistic): string {
+  return metric.heading.replace("\n", ", ") + (metric.logarithmic ? " (logarithmic)" : "");
+}
+
+function titleOf(metric: Statistic, sweep: Sweep): string {
+  return `${metric.heading.replace("\n", ", ")} ${sweep.title}`;
+}
+
+function yScale(lines: Drawn[], metric: Statistic): any {
   const range = [kHeight - kMargin.bottom, kMargin.top];
-  if (metric.share) return scaleLinear().domain([0, 1]).range(range);
+  if (metric.rate) return scaleLinear().domain([0, 1]).range(range);
   const points = lines.flatMap((l) => l.points);
   const low = points.reduce((m, p) => Math.min(m, p.low > 0 || !metric.logarithmic ? p.low : p.y), Infinity);
   const high = points.reduce((m, p) => Math.max(m, p.high), -Infinity);
@@ -66,7 +49,7 @@ function yScale(lines: Drawn[], metric: Metric): any {
   return scaleLinear().domain([low - around, high + around]).nice().range(range);
 }
 
-function drawLine(line: Drawn, metric: Metric, x: any, y: any, palette: Palette): SVGElement {
+function drawLine(line: Drawn, metric: Statistic, x: any, y: any, palette: Palette): SVGElement {
   const at = (list: [number, number][]): string => list.map(([a, b], i) =>
     `${i ? "L" : "M"}${x(a).toFixed(1)} ${y(b).toFixed(1)}`).join("");
   const floor = (p: { low: number; y: number }): number => metric.logarithmic && p.low <= 0 ? p.y : p.low;
@@ -79,11 +62,10 @@ function drawLine(line: Drawn, metric: Metric, x: any, y: any, palette: Palette)
     ...line.points.map((p) => svg("path", { class: "point", d: palette.symbolPath(line.planner, 64),
       transform: `translate(${x(p.x).toFixed(1)},${y(p.y).toFixed(1)})`, "data-value": p.y,
       "data-tip": `${line.label} at ${p.x}, ${p.summary.scenario_group}\n` +
-        `${fixed(p.y, metric.decimals)}, 95 % [${fixed(p.low, metric.decimals)}, ` +
-        `${fixed(p.high, metric.decimals)}]\nn = ${p.n}` })));
+        `${written(p.y, metric)}, 95 % [${written(p.low, metric)}, ${written(p.high, metric)}]\nn = ${p.n}` })));
 }
 
-function metricPlot(id: string, sweep: Sweep, metric: Metric, palette: Palette): HTMLElement | null {
+function metricPlot(id: string, sweep: Sweep, metric: Statistic, palette: Palette): HTMLElement | null {
   const lines = drawn(sweep, metric);
   if (lines.length === 0) return null;
   const xs = lines.flatMap((l) => l.points.map((p) => p.x));
@@ -91,9 +73,9 @@ function metricPlot(id: string, sweep: Sweep, metric: Metric, palette: Palette):
   if (span[0] === span[1]) return null;
   const x = scaleLinear().domain(span).range([kMargin.left + 14, kWidth - kMargin.right]);
   const y = yScale(lines, metric);
-  const root = frame(`${metric.title} ${sweep.title}`);
-  drawAxes(root, { x, xName: sweep.xName, y, yName: metric.yName, yGrid: true,
-    yTicks: metric.share ? axisLeft(y).ticks(5, "%") : metric.logarithmic ? axisLeft(y).ticks(5, "~g")
+  const root = frame(titleOf(metric, sweep));
+  drawAxes(root, { x, xName: sweep.xName, y, yName: axisName(metric), yGrid: true,
+    yTicks: metric.rate ? axisLeft(y).ticks(5, "%") : metric.logarithmic ? axisLeft(y).ticks(5, "~g")
       : undefined });
   root.append(...lines.map((line) => drawLine(line, metric, x, y, palette)));
   const counts = (line: Drawn): string => {
@@ -101,14 +83,15 @@ function metricPlot(id: string, sweep: Sweep, metric: Metric, palette: Palette):
     const [few, many] = [Math.min(...ns), Math.max(...ns)];
     return few === many ? `n = ${few} each` : `n = ${few} to ${many}`;
   };
-  return figureOf(id, `${metric.title} ${sweep.title}`, "", root,
+  return figureOf(id, titleOf(metric, sweep), "", root,
     legend(lines.map((l) => ({ planner: l.planner, count: counts(l) })), palette),
-    () => csv(["planner", sweep.xName, metric.yName, "low_95", "high_95", "n"], lines.flatMap((l) =>
+    () => csv(["planner", sweep.xName, axisName(metric), "low_95", "high_95", "n"], lines.flatMap((l) =>
       l.points.map((p) => [l.label, p.x, p.y, p.low, p.high, p.n]))));
 }
 
 export function sweepSection(report: Report, palette: Palette, filter: Filter): HTMLElement {
   const sweeps = sweepsOf(report, filter);
+  const shown = report.summary.statistics.filter((s) => s.in_sweeps);
   if (sweeps.length === 0) {
     return el("p", { class: "soft" }, "No sweep in this selection: a sweep is three or more scenario " +
       "groups, or three or more planners of one name, that differ in one number.");
@@ -118,7 +101,7 @@ export function sweepSection(report: Report, palette: Palette, filter: Filter): 
       "time are over those that arrived, whose n a point tells."),
     ...sweeps.flatMap((sweep, i) => [
       el("h3", { class: "vehicle" }, `${sweep.xName}, ${sweep.vehicle}`),
-      el("div", { class: "plots" }, ...kMetrics.map((metric) =>
-        metricPlot(`sweep-${i}-${metric.id}`, sweep, metric, palette))),
+      el("div", { class: "plots" }, ...shown.map((metric) =>
+        metricPlot(`sweep-${i}-${metric.name}`, sweep, metric, palette))),
     ]));
 }

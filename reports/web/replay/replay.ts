@@ -1,8 +1,9 @@
 // Up to four trials of one scene on one clock.
-import { kGoal, Report, Trial, World } from "../data/data";
+import { Report, Trial, World } from "../data/data";
 import { button, checkbox, el, fixed, nameOf, select } from "../elements/dom";
 import { readReplayLink, replayLink, ReplayPlace } from "../elements/links";
-import { outcomeSign, outcomeWords, Palette } from "../elements/palette";
+import { outcomeText } from "../elements/outcomes";
+import { Palette } from "../elements/palette";
 import { Ink, Painter, readInk } from "./replay_canvas";
 import { factsAt } from "./replay_facts";
 import { frameAt, speedRamp } from "./replay_geometry";
@@ -175,12 +176,10 @@ export class Replay {
                     extent: World["bounds"]): Panel {
     const canvas = el("canvas", { role: "img" });
     const readout = el("dl");
-    const good = trial.outcome === kGoal;
     const figure = el("figure", { class: this.palette.className(trial.planner),
       "data-trial": trial.trial_id },
       el("figcaption", {}, this.palette.swatch(trial.planner), el("h3", {}, nameOf(trial.planner)),
-        el("span", { class: good ? "good" : "bad", title: trial.reason },
-          `${outcomeSign(trial.outcome)} ${outcomeWords(trial.outcome)}`)),
+        el("span", { title: trial.reason }, outcomeText(trial.outcome))),
       canvas, readout, commandOf(this.report, trial));
     const world = (this.scene as Scene).world;
     return { trial, trace, canvas, readout, figure,

@@ -1,7 +1,7 @@
 // One moment of one trial on a canvas: the true world faint, what is known by then, what is seen now,
 // the plan, and the way so far coloured by speed.
-import { kGoal, Trial, World } from "../data/data";
-import { outcomeSign } from "../elements/palette";
+import type { Trial, World } from "../data/data";
+import { failed, outcomeSign } from "../elements/outcomes";
 import { hullsOf, kSpeedBins, Point, rayEnds, searchedEdges, speedRamp } from "./replay_geometry";
 import { Layers } from "./replay_layers";
 import { Trace } from "../data/trace";
@@ -265,7 +265,7 @@ export class Painter {
     context.lineWidth = this.px(2.5);
     this.polyline([[x, y], [x + nose * f.heading_x[k], y + nose * f.heading_y[k]]], false);
     context.stroke();
-    if (k === f.count - 1 && this.trial.outcome !== kGoal) this.paintSign(x, y, ink);
+    if (k === f.count - 1 && failed(this.trial.outcome)) this.paintSign(x, y, ink);
   }
 
   private paintSign(x: number, y: number, ink: Ink): void {

@@ -14,6 +14,13 @@
 namespace voronaut {
 namespace {
 
+std::string planner_lines() {
+  std::string text;
+  const PlannerCatalog catalog = PlannerCatalog::built_in();
+  for (const PlannerEntry* entry : catalog.entries()) text += "  - " + entry->name + "\n";
+  return text;
+}
+
 std::string suite_text(const std::string& traces) {
   std::string text =
       "suite: every\nseed: 1\nscenarios:\n"
@@ -25,9 +32,20 @@ std::string suite_text(const std::string& traces) {
       "budget: {state_checks: 3000, ptc_evaluations: 6000, stop: first}\n"
       "limits: {memory_mb: 2048, cpu_s: 60, wall_s: 120}\ntraces: " +
       traces + "\nplanners:\n";
-  const PlannerCatalog catalog = PlannerCatalog::built_in();
-  for (const PlannerEntry* entry : catalog.entries()) text += "  - " + entry->name + "\n";
-  return text;
+  return text + planner_lines();
+}
+
+// The whole world given; who starts at its goal has nothing to look for.
+std::string suite_of_starts_at_the_goal(const std::string& kind) {
+  const std::string rest =
+      ", world: {circles: [[3, 0, 0.5]]}, bounds: [[-3, -3], [8, 3]], "
+      "start: [0, 0], goal: ";
+  return "suite: " + kind + "\nkind: " + kind + "\nscenarios:\n  - {name: same" + rest +
+         "[0, 0]}\n  - {name: hair" + rest + "[0.000001, 0]}\n" +
+         "vehicles: [ideal]\ntraces: none\n"
+         "budget: {state_checks: 3000, ptc_evaluations: 10000, stop: first}\n"
+         "limits: {memory_mb: 2048, cpu_s: 60, wall_s: 120}\nplanners:\n" +
+         planner_lines();
 }
 
 using Rows = std::map<std::string, RunRecord>;  // by "scenario/planner"
@@ -41,7 +59,11 @@ class EveryPlanner : public ::testing::Test {
  protected:
   Rows fly(const std::string& results, const std::string& environment,
            const std::string& traces) const {
-    std::ofstream(folder_.path() / "every.yaml") << suite_text(traces);
+    return fly_suite(suite_text(traces), results, environment);
+  }
+  Rows fly_suite(const std::string& suite, const std::string& results,
+                 const std::string& environment = "env") const {
+    std::ofstream(folder_.path() / "every.yaml") << suite;
     const std::string command = "cd '" + folder_.path().string() + "' && " + environment + " '" +
                                 VORONAUT_PROGRAM + "' run every.yaml --jobs 2 --out " + results +
                                 " >said.txt 2>&1";
@@ -66,8 +88,8 @@ TEST_F(EveryPlanner, FliesAForestAndATrapAndRepeatsWhereTheCatalogueSaysSo) {
   ASSERT_EQ(again.size(), plain.size());
   int arrived = 0;
   for (const auto& [name, row] : plain) {
-    EXPECT_FALSE(is_failure(row.outcome)) << name << ": " << row.reason;
-    EXPECT_FALSE(is_failure(again.at(name).outcome)) << name << ": " << again.at(name).reason;
+    EXPECT_FALSE(entry_of(row.outcome).cut_off) << name << ": " << row.reason;
+    EXPECT_FALSE(entry_of(again.at(name).outcome).cut_off) << name << ": " << again.at(name).reason;
     arrived += row.outcome == Outcome::goal_reached ? 1 : 0;
     if (catalog.find(row.planner)->traits.reproducible == Reproducible::everywhere) {
       expect_same(row, masked.at(name));
@@ -76,6 +98,35 @@ TEST_F(EveryPlanner, FliesAForestAndATrapAndRepeatsWhereTheCatalogueSaysSo) {
     RecordProperty(name, std::string(to_string(row.outcome)));
   }
   EXPECT_GT(arrived, static_cast<int>(catalog.entries().size()));
+}
+
+TEST_F(EveryPlanner, HasReachedAGoalThatItStartsAt) {
+  for (const std::string kind : {"known", "flown"}) {
+    const Rows rows = fly_suite(suite_of_starts_at_the_goal(kind), kind);
+    ASSERT_EQ(rows.size(), 2 * PlannerCatalog::built_in().entries().size());
+    for (const auto& [name, row] : rows) {
+      EXPECT_EQ(row.outcome, Outcome::goal_reached) << kind << " " << name << ": " << row.reason;
+      EXPECT_EQ(row.budget_stops, 0) << kind << " " << name << ": nothing is left to look for";
+      EXPECT_EQ(row.spl, 1) << kind << " " << name;
+      EXPECT_EQ(row.path_ratio, 1) << kind << " " << name;
+    }
+  }
+}
+
+TEST_F(EveryPlanner, OfManyThreadsStopsAtItsFirstSolutionInAStaticTrialToo) {
+  const Rows rows = fly_suite(
+      "suite: first\nkind: known\ntraces: none\nscenarios:\n"
+      "  - {name: wall, world: {boxes: [[3, -4, 3.2, 2]]}, bounds: [[-1, -4], [8, 4]],"
+      " start: [0, 0], goal: [7, 0]}\n"
+      "vehicles: [ideal]\nplanners: [CForest, AnytimePathShortening, PRMstar]\n"
+      "budget: {state_checks: 100000000, ptc_evaluations: 100000000, stop: first}\n"
+      "limits: {memory_mb: 4096, cpu_s: 60, wall_s: 120}\n",
+      "first");
+  ASSERT_EQ(rows.size(), 3U);
+  for (const auto& [name, row] : rows) {
+    EXPECT_EQ(row.outcome, Outcome::goal_reached) << name << ": " << row.reason;
+    EXPECT_EQ(row.stops_first_solution, 1) << name;
+  }
 }
 
 }  // namespace

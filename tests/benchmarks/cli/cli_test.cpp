@@ -77,7 +77,7 @@ TEST_F(CommandLine, SaysInOneLineWhatIsWrongAndWritesNothing) {
        "voronaut: broken.yaml:2: key 'plannners': unknown key (allowed: suite, kind, seed, "
        "repetitions, repeat, data, scenarios, vehicles, planners, range_finder, mapping, "
        "navigation, loop, "
-       "budget, limits, traces, claims; did you mean 'planners'?)\n"},
+       "budget, limits, traces, acceptance; did you mean 'planners'?)\n"},
       {"run open.yaml --planners RRT",
        "voronaut: no planner 'RRT' in suite 'open' (allowed: RRTConnect, PotentialField)\n"},
       {"run open.yaml --out open.yaml", "voronaut: open.yaml: is no folder\n"},

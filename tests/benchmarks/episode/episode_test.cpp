@@ -169,7 +169,7 @@ TEST(Episode, TurningTheWorldTurnsTheFlightOfTheRepairedPlanner) {
   EXPECT_EQ(quarter.outcome, Outcome::goal_reached);
   EXPECT_EQ(straight.modes, quarter.modes);
   EXPECT_NEAR(straight.path_length_m, quarter.path_length_m, 1e-6);
-  EXPECT_NEAR(straight.clearance_min_m, quarter.clearance_min_m, 1e-6);
+  EXPECT_NEAR(straight.clearance_smallest_m, quarter.clearance_smallest_m, 1e-6);
 }
 
 // Says that its start is not valid so many times, and flies straight to the goal after that.

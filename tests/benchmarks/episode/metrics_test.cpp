@@ -28,15 +28,15 @@ TEST(Metrics, PathLengthIsThatOfTheTrackInThePlane) {
 }
 
 TEST(Metrics, ClearanceIsSmallestAndMeanOverTicks) {
-  EXPECT_DOUBLE_EQ(clearance_min_m(kCorner), 0.5);
+  EXPECT_DOUBLE_EQ(clearance_smallest_m(kCorner), 0.5);
   EXPECT_DOUBLE_EQ(clearance_mean_m(kCorner), 1.25);
-  EXPECT_TRUE(std::isnan(clearance_min_m({})));
+  EXPECT_TRUE(std::isnan(clearance_smallest_m({})));
   EXPECT_TRUE(std::isnan(clearance_mean_m({})));
 }
 
 TEST(Metrics, ClearanceMayBeNegativeInsideAnObstacle) {
   const std::vector<Tick> inside{tick(0, 0, 0, 0, -0.3), tick(1, 0, 0, 0, -0.1)};
-  EXPECT_DOUBLE_EQ(clearance_min_m(inside), -0.3);
+  EXPECT_DOUBLE_EQ(clearance_smallest_m(inside), -0.3);
 }
 
 TEST(Metrics, MeanSpeedCountsFromDeparture) {
@@ -47,16 +47,22 @@ TEST(Metrics, MeanSpeedCountsFromDeparture) {
 }
 
 TEST(Metrics, SplIsZeroForAFailureAndNeverAboveOne) {
-  EXPECT_DOUBLE_EQ(spl(false, 10, 10), 0.0);
-  EXPECT_DOUBLE_EQ(spl(true, 10, 12.5), 0.8);
-  EXPECT_DOUBLE_EQ(spl(true, 10, 9.9), 1.0);
+  EXPECT_DOUBLE_EQ(spl(false, 10, 10, 0.2), 0.0);
+  EXPECT_DOUBLE_EQ(spl(true, 10, 12.5, 0.2), 0.8);
+  EXPECT_DOUBLE_EQ(spl(true, 10, 9.9, 0.2), 1.0);
 }
 
-TEST(Metrics, PercentileIsNearestRank) {
-  EXPECT_DOUBLE_EQ(percentile({4, 1, 3, 2}, 50), 2.0);
-  EXPECT_DOUBLE_EQ(percentile({4, 1, 3, 2}, 99), 4.0);
-  EXPECT_DOUBLE_EQ(percentile({5}, 1), 5.0);
-  EXPECT_TRUE(std::isnan(percentile({}, 50)));
+TEST(Metrics, WhoStartsAtTheGoalAndGoesNowhereHasTakenTheShortestPath) {
+  for (const double shortest_m : {0.0, 1e-300, 1e-6, 0.2}) {
+    EXPECT_EQ(spl(true, shortest_m, 0, 0.2), 1.0);
+    EXPECT_EQ(spl(true, shortest_m, 1e-17, 0.2), 1.0);
+    EXPECT_EQ(spl(false, shortest_m, 0, 0.2), 0.0);
+    EXPECT_EQ(path_ratio(shortest_m, shortest_m, 0.2), 1.0);
+    EXPECT_DOUBLE_EQ(path_ratio(0.4, shortest_m, 0.2), 2.0) << "twice around the tolerance";
+    EXPECT_DOUBLE_EQ(spl(true, shortest_m, 0.4, 0.2), 0.5);
+  }
+  EXPECT_DOUBLE_EQ(path_ratio(12, 10, 0.2), 1.2);
+  EXPECT_TRUE(std::isnan(path_ratio(12, kAbsent, 0.2))) << "no path is no short path";
 }
 
 TEST(Metrics, MeanOfNothingIsAbsent) {

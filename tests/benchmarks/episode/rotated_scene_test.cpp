@@ -37,7 +37,7 @@ TEST(RotatedScenes, AreFlownAlikeByTheRepairedPlannerAtEveryBearing) {
       EXPECT_EQ(turned.modes, straight.modes) << "seed " << seed << ", eighth " << eighth;
       EXPECT_NEAR(turned.path_length_m, straight.path_length_m, 1e-6)
           << "seed " << seed << ", eighth " << eighth;
-      EXPECT_NEAR(turned.clearance_min_m, straight.clearance_min_m, 1e-6)
+      EXPECT_NEAR(turned.clearance_smallest_m, straight.clearance_smallest_m, 1e-6)
           << "seed " << seed << ", eighth " << eighth;
     }
   }

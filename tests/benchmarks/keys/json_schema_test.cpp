@@ -85,7 +85,7 @@ TEST(JsonSchema, RefusesWhatTheReadersRefuse) {
       {"budget: {iterations: 5}", "budget: {iterations: 5, wall_clock_s: 1}"},
       {"budget: {iterations: 5}", "budget: {iterations: 0}"},
       {"budget: {iterations: 5}", "mapping: {merge_m: 1}"},
-      {"budget: {iterations: 5}", "claims: [{outcome: crash}]"},
+      {"budget: {iterations: 5}", "acceptance: [{crash_share: 1}]"},
   };
   for (const auto& [replaced, by] : cases) EXPECT_NE(problem_with(replaced, by), "") << by;
 }

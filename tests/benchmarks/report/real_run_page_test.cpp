@@ -40,7 +40,7 @@ std::vector<Row> ask(const std::filesystem::path& database, const std::string& s
   return rows;
 }
 
-std::string share(double part, double whole) { return decimal(std::round(100 * part / whole), 0); }
+std::string share(double part, double whole) { return fixed(100 * part / whole, 1); }
 
 class RealRun : public ReportInBrowser {
  protected:
@@ -109,23 +109,23 @@ TEST_F(RealRun, EveryPageShowsWhatTheDatabaseHolds) {
   for (const Row& row :
        ask(results,
            "select scenario_group, planner, count(*), sum(outcome = 'goal_reached'), "
-           "sum(outcome = 'collision'), min(clearance_min_m) from trials group by 1, 2")) {
+           "sum(outcome = 'collision'), min(clearance_smallest_m) from trials group by 1, 2")) {
     const auto begin = overview.find(row[0] + " | " + row[1] + " | " + row[2] + " | ");
     ASSERT_NE(begin, std::string::npos) << row[0] << ", " << row[1];
     const std::string shown = overview.substr(begin, overview.find('\n', begin) - begin);
     EXPECT_THAT(shown, HasSubstr(" | " + share(std::stod(row[3]), std::stod(row[2])) + " % " +
                                  row[3] + "/" + row[2] + ", 95 % ["));
-    EXPECT_THAT(shown, HasSubstr("] | " + row[4]));
-    EXPECT_THAT(shown, HasSubstr(" | " + decimal(std::stod(row[5]), 2) + "median "));
+    EXPECT_THAT(shown, HasSubstr(" % " + row[4] + "/" + row[2] + ", 95 % ["));
+    EXPECT_THAT(shown, HasSubstr(" | " + fixed(std::stod(row[5]), 3)));
   }
 
   go_to("distributions");
   for (const Row& row : ask(results,
                             "select planner, avg(outcome = 'goal_reached'), "
-                            "count(clearance_min_m) from trials group by 1")) {
+                            "count(clearance_smallest_m) from trials group by 1")) {
     const std::string of = " [data-planner=\"" + row[0] + "\"]";
-    EXPECT_NEAR(std::stod(dataset("#duration" + of, "plateau")), std::stod(row[1]), 1e-9);
-    EXPECT_EQ(count("#clearance" + of + " circle"), row[2]) << row[0];
+    EXPECT_NEAR(std::stod(dataset("#duration_s" + of, "plateau")), std::stod(row[1]), 1e-9);
+    EXPECT_EQ(count("#clearance_smallest_m" + of + " circle"), row[2]) << row[0];
   }
 
   go_to("sweeps");
@@ -134,7 +134,7 @@ TEST_F(RealRun, EveryPageShowsWhatTheDatabaseHolds) {
                             " from trials where scenario_group like 'forest%' group by 1, 2")) {
     EXPECT_NEAR(
         std::stod(session_->evaluate(
-            "[...document.querySelectorAll('#sweep-0-success [data-planner=\"" + row[0] +
+            "[...document.querySelectorAll('#sweep-0-goal_reached_share [data-planner=\"" + row[0] +
             "\"] .point')].find(p => p.dataset.tip.includes('" + row[1] + "')).dataset.value")),
         std::stod(row[2]), 1e-9);
   }

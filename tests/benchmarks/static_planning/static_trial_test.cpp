@@ -49,7 +49,7 @@ TEST(StaticTrial, SolvesWithTheWholeWorldGivenAndRepeats) {
     const RunRecord& row = rows.at(std::string("pillar/") + planner);
     EXPECT_EQ(row.outcome, Outcome::goal_reached) << row.reason;
     EXPECT_GE(row.path_ratio, 1) << planner;
-    EXPECT_GE(row.clearance_min_m, 0.4) << planner;
+    EXPECT_GE(row.clearance_smallest_m, 0.4) << planner;
     EXPECT_GT(row.planning_time_us_mean, 0) << planner;
     EXPECT_EQ(row.replans, 1) << planner;
   }

@@ -103,12 +103,12 @@ TEST(SuiteConfig, LetsAPlannerFlyWithANavigationOfItsOwn) {
       << "the rest is the suite's";
 }
 
-TEST(SuiteConfig, ReadsWhatASuiteClaims) {
+TEST(SuiteConfig, ReadsWhatASuiteMustShow) {
   const SuiteConfig suite =
-      read(suite_with("claims", "[{planner: RRTConnect, outcome_share_min: 0.9}, {}]"));
-  ASSERT_EQ(suite.claims.size(), 2U);
-  EXPECT_EQ(suite.claims[0].planner, "RRTConnect");
-  EXPECT_EQ(suite.claims[0].outcome_share_min, 0.9);
+      read(suite_with("acceptance", "[{planner: RRTConnect, goal_reached_share_min: 0.9}, {}]"));
+  ASSERT_EQ(suite.acceptance.size(), 2U);
+  EXPECT_EQ(suite.acceptance[0].planner, "RRTConnect");
+  EXPECT_EQ(suite.acceptance[0].bounds.front(), 0.9);
 }
 
 TEST(SuiteConfig, PassesFlagsToPlannersAsTheyWantThem) {
@@ -141,7 +141,7 @@ TEST(SuiteConfig, SaysInOneLineWhatIsWrong) {
   unsetenv("VORONAUT_DATA");  // one of the messages is about its absence
   const std::string keys =
       "suite, kind, seed, repetitions, repeat, data, scenarios, vehicles, planners, range_finder, "
-      "mapping, navigation, loop, budget, limits, traces, claims";
+      "mapping, navigation, loop, budget, limits, traces, acceptance";
   const std::string count = "expected a whole number from ";
   const std::vector<std::pair<std::string, std::string>> cases = {
       {"", "s.yaml:1: the file is empty"},
@@ -256,13 +256,13 @@ TEST(SuiteConfig, SaysInOneLineWhatIsWrong) {
        "s.yaml:5: key 'limits.memory_mb': expected a number from 16 to 1000000, got '1'"},
       {suite_with("traces", "some"),
        "s.yaml:5: key 'traces': expected one of all, failures, none, got 'some'"},
-      {suite_with("claims", "[{planner: RRTConect}]"),
-       "s.yaml:5: key 'claims[0].planner': no planner 'RRTConect' (allowed: RRTConnect; did you "
+      {suite_with("acceptance", "[{planner: RRTConect}]"),
+       "s.yaml:5: key 'acceptance[0].planner': no planner 'RRTConect' (allowed: RRTConnect; did "
+       "you "
        "mean 'RRTConnect'?)"},
-      {suite_with("claims", "[{outcome: crash}]"),
-       "s.yaml:5: key 'claims[0].outcome': expected one of goal_reached, infeasible, got 'crash'"},
-      {suite_with("claims", "[{outcome_share_min: 100}]"),
-       "s.yaml:5: key 'claims[0].outcome_share_min': expected a number from 0 to 1, got '100'"},
+      {suite_with("acceptance", "[{goal_reached_share_min: 100}]"),
+       "s.yaml:5: key 'acceptance[0].goal_reached_share_min': expected a number from 0 to 1, got "
+       "'100'"},
   };
   for (const auto& [text, message] : cases) {
     const std::string error = error_of(text);

@@ -139,6 +139,24 @@ TEST(SuiteTrials, KeepTheirPlaceWhenNoWorldCanBeDrawn) {
   EXPECT_THROW(SuiteTrials::check_worlds(suite), ConfigError);
 }
 
+TEST(SuiteTrials, DoNotMakeARandomWorldThatTheRehearsalWarnsOf) {
+  const SuiteConfig suite = small_suite("s", {"a"}, 2);
+  int rehearsed = 0;
+  SuiteTrials trials(suite, [&](const std::function<void()>& work) {
+    work();
+    return ++rehearsed == 1 ? "" : "it is deadly";
+  });
+  std::map<std::pair<std::string, std::int64_t>, std::string> refusals;
+  while (const auto planned = trials.next()) {
+    refusals[{planned->spec.scenario.name, planned->spec.repetition}] = planned->refusal;
+    EXPECT_EQ(planned->spec.world_id.empty(), !planned->refusal.empty());
+  }
+  EXPECT_EQ(rehearsed, 2) << "of the two worlds that are drawn";
+  EXPECT_EQ(refusals.at({"open", 0}), "");
+  EXPECT_EQ(refusals.at({"wood", 0}), "");
+  EXPECT_EQ(refusals.at({"wood", 1}), "it is deadly");
+}
+
 TEST(SuiteTrials, FlyAScenarioWithOneWorldOnceIfOnlyRandomOnesRepeat) {
   SuiteConfig suite = small_suite("once", {"a"}, 3);
   const std::size_t all = SuiteTrials(suite).total();

@@ -5,6 +5,7 @@
 #include "voronaut/environments/formats/dodgedrone.h"
 #include "voronaut/environments/formats/ompl_worlds.h"
 #include "voronaut/environments/formats/pathbench.h"
+#include "voronaut/environments/world.h"
 
 namespace voronaut {
 namespace {
@@ -61,7 +62,7 @@ TEST(DodgeDrone, CutsSpheresOrTakesThemForColumns) {
   ASSERT_EQ(cut.size(), 1U);
   EXPECT_NEAR(cut[0].radius_m, std::sqrt(0.75), 1e-15);
   ForeignOptions columns;
-  columns.cut = SphereCut::columns;
+  columns.cut = BodyCut::columns;
   const auto all = parse_dodgedrone(text, "d.csv", columns).shapes.circles;
   ASSERT_EQ(all.size(), 2U);
   EXPECT_EQ(all[1].radius_m, 0.5);
@@ -94,23 +95,56 @@ TEST(OmplCircles, AreReadWithTheirQueries) {
             "q.txt:2: expected '0 goal: x y', got '1 goal: 1 2'");
 }
 
-TEST(OmplEnvironment, HasItsFirstRowOnTop) {
-  const std::string text =
-      "discretization(cells): 3 2\nstart(cells): 0 0\nend(cells): 1 2\nenvironment:\n0 1 0\n0 0 "
-      "0\n";
-  const ForeignWorld world = parse_ompl_environment(text, "e.txt", 1);
-  EXPECT_EQ(*world.start, Vec2(0.5, 1.5));
-  EXPECT_EQ(*world.goal, Vec2(2.5, 0.5));
-  ASSERT_EQ(world.shapes.polygons.size(), 1U);
-  EXPECT_EQ(bounds_of(world.shapes.polygons[0]).min, Vec2(1, 1));
-  EXPECT_EQ(error_of([&] { parse_ompl_environment(text + "0 0 0\n", "e.txt", 1); }),
-            "e.txt:7: expected the end of the file, got '0 0 0'");
-  EXPECT_EQ(error_of([&] {
-              parse_ompl_environment(
-                  "discretization(cells): 3 2\nstart(cells): 0 0\nend(cells): 1 2\nenvironment:\n",
-                  "e.txt", 1);
-            }),
-            "e.txt:4: the file ends after 0 of 2 rows");
+// 3 cells along x, 5 along y; blocked are (0, 3), (2, 0) and (2, 1).
+const std::string kOmplHead =
+    "discretization(cells): 3 5\nstart(cells): 0 1\nend(cells): 2 4\nenvironment:\n";
+
+std::string ompl_error(const std::string& text) {
+  return error_of([&] { parse_ompl_environment(text, "e.txt", 1); });
+}
+
+TEST(OmplEnvironment, IsReadAlongYFirstAsByOmpl) {
+  const ForeignWorld world =
+      parse_ompl_environment(kOmplHead + "0 0 0 1 0\n0 0 0 0 0\n1 1 0 0 0\n", "e.txt", 2);
+  EXPECT_EQ(world.bounds->max, Vec2(6, 10));
+  EXPECT_EQ(*world.start, Vec2(1, 3));
+  EXPECT_EQ(*world.goal, Vec2(5, 9));
+  const World blocked(*world.bounds, world.shapes);
+  for (int x = 0; x < 3; ++x) {
+    for (int y = 0; y < 5; ++y) {
+      const bool expected = (x == 0 && y == 3) || (x == 2 && y <= 1);
+      EXPECT_EQ(blocked.clearance_m(world.cells->center(x, y)) < 0, expected) << x << ", " << y;
+    }
+  }
+}
+
+TEST(OmplEnvironment, IsTheSameWhereverItsLinesBreak) {
+  const auto seen = [](const std::string& numbers) {
+    std::string text;
+    for (const Polygon& box :
+         parse_ompl_environment(kOmplHead + numbers, "e.txt", 1).shapes.polygons)
+      for (const Vec2& p : box.vertices)
+        text += number_text(p.x()) + " " + number_text(p.y()) + ";";
+    return text;
+  };
+  const std::string rows = seen("0 0 0 1 0\n0 0 0 0 0\n1 1 0 0 0\n");
+  EXPECT_EQ(seen("0 0 0 1 0 0 0 0 0 0 1 1 0 0 0"), rows);
+  EXPECT_EQ(seen("0 0 0\n1 0 0\n\n0 0 0\n0 1 1\n0 0 0\n"), rows);
+}
+
+TEST(OmplEnvironment, IsRefusedWithTheLineAndTheReason) {
+  EXPECT_EQ(ompl_error(kOmplHead + "0 0 0 1 0\n0 0 0 0 0\n1 1 0 0 0\n0\n"),
+            "e.txt:8: expected the end of the file, got '0'");
+  EXPECT_EQ(ompl_error(kOmplHead + "0 0 0 1 0 0 0 0 0 0\n1 1 0 0 0 7\n"),
+            "e.txt:6: expected the end of the file, got '7'");
+  EXPECT_EQ(ompl_error(kOmplHead + "0 0 0 1 0\n"), "e.txt:5: the file ends before cell");
+  EXPECT_EQ(ompl_error(kOmplHead + "0 0 0 1 2\n"),
+            "e.txt:5: cell: expected a whole number from 0 to 1, got '2'");
+  EXPECT_EQ(ompl_error("discretization(cells): 3 5\nstart(cells): 3 0\n"),
+            "e.txt:2: column: expected a whole number from 0 to 2, got '3'");
+  EXPECT_EQ(ompl_error("discretization(cells): 3 5\nstart: 0 0\n"),
+            "e.txt:2: expected 'start(cells):', got 'start:'");
+  EXPECT_EQ(ompl_error(""), "e.txt:1: the file ends before 'discretization(cells):'");
 }
 
 }  // namespace

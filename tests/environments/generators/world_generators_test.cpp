@@ -139,6 +139,19 @@ TEST(WorldGenerators, RefuseWorldsThatNobodyCanCross) {
   EXPECT_NO_THROW(unchecked.generate(1));
 }
 
+TEST(WorldGenerators, SayThatNothingCanBePlacedWithoutTryingAllDraws) {
+  const WorldGenerator crowded =
+      generator_of("{name: forest, side_m: 30, density_per_m2: 1, draws_max: 100000}");
+  try {
+    crowded.generate(1);
+    FAIL();
+  } catch (const ConfigError& error) {
+    EXPECT_NE(std::string(error.what()).find("in 25 draws from seed 1: 25 could not be placed"),
+              std::string::npos)
+        << error.what();
+  }
+}
+
 TEST(WorldGenerators, NameTheFamilyThatWasMeant) {
   try {
     WorldGenerator::named("forrest");

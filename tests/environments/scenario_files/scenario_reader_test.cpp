@@ -3,6 +3,7 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <limits>
 #include <string>
 
 #include <gtest/gtest.h>
@@ -210,6 +211,55 @@ TEST(DataSets, OfMapsGiveOneScenarioForEachSelectedQuery) {
            location);
   EXPECT_EQ(long_ones.size(), 3U);  // 10, 11 and 12 cells of 0.25 m
   EXPECT_EQ(read("dataset: movingai\npick: [movingai_m_7]", location)[0].name(), "movingai_m_7");
+}
+
+TEST(WorldFiles, AreCutAtTheHeightThatTheScenarioFlies) {
+  const Folder folder("heights");
+  const auto body = [](const std::string& pose, const std::string& size) {
+    return "<model name='m'><pose>" + pose +
+           " 0 0 0</pose><link name='l'><collision name='c'><geometry>" + "<box><size>" + size +
+           "</size></box></geometry></collision></link></model>";
+  };
+  const auto sdf = [](const std::string& models) {
+    return "<sdf version='1.6'><world name='w'>" + models + "</world></sdf>";
+  };
+  const std::string kerb = body("4 0 0.1", "1 6 0.2");
+  folder.write("door.world", sdf(kerb + body("4 0 2.4", "1 6 0.4") + body("4 3 1", "1 1 2")));
+  folder.write("kerb.world", sdf(kerb));
+  const auto clearance_m = [&](const std::string& keys) {
+    return read(keys + "\n" + kTail, {}, folder.path() + "/s.yaml")[0]
+        .instantiate(0)
+        .world->clearance_m({4, 0});
+  };
+  EXPECT_EQ(clearance_m("world_file: door.world"), 2.5);
+  EXPECT_LT(clearance_m("world_file: door.world\ncruise_height_m: 2.3"), 0);
+  EXPECT_LT(clearance_m("world_file: door.world\ncruise_height_m: 0.15"), 0);
+  EXPECT_LT(clearance_m("world_file: door.world\nheight_m: 0.15"), 0);
+  EXPECT_LT(clearance_m("world_file: door.world\ncut: columns"), 0);
+  EXPECT_EQ(clearance_m("world_file: kerb.world\ncruise_height_m: 1"),
+            std::numeric_limits<double>::infinity());
+  // All bodies below a height that nobody gave.
+  try {
+    clearance_m("world_file: kerb.world");
+    FAIL();
+  } catch (const ConfigError& error) {
+    EXPECT_EQ(std::string(error.what()).substr(folder.path().size()),
+              "/s.yaml:1: key 'world_file': none of its 1 bodies reaches the height of flight, 1 m "
+              "unless cruise_height_m is given (or height_m, or cut: columns for all of them)");
+  }
+}
+
+TEST(WorldFiles, GiveTheHeadingOfTheirStart) {
+  const Folder folder("headings");
+  folder.write("back.yaml", "robot: {state: [2, 3, 1.5707963267948966], goal: [8, 3]}\n");
+  const auto heading = [&](const std::string& keys) {
+    return read("world_file: back.yaml\n" + keys, {}, folder.path() + "/s.yaml")[0]
+        .instantiate(0)
+        .start_heading;
+  };
+  EXPECT_NEAR((heading("") - Vec2(0, 1)).norm(), 0, 1e-12);
+  EXPECT_EQ(heading("start_heading_rad: 0"), Vec2(1, 0));
+  EXPECT_EQ(heading("goal: [2, 9]\nstart: [4, 9]"), Vec2(-1, 0));  // the file's start is not flown
 }
 
 TEST(DataSets, SayHowToNameTheFolderThatIsMissing) {

@@ -1,8 +1,10 @@
 #include "voronaut/environments/shapes/shape_index.h"
 
 #include <cmath>
+#include <limits>
 
 #include <gtest/gtest.h>
+#include <malloc.h>
 
 #include "voronaut/tests/environments/shapes/random_shapes.h"
 
@@ -43,6 +45,64 @@ TEST(ShapeIndex, ClearanceIsThatOfAllShapes) {
     }
     if (HasFailure()) return;
   }
+}
+
+TEST(ShapeIndex, WithoutShapesIsFreeEverywhere) {
+  // The corner of the grid without cells, too: rays there enter and leave it at once.
+  const ShapeIndex none(Shapes{});
+  const auto never = [](std::uint32_t) { ADD_FAILURE() << "no shape is there"; };
+  for (const Vec2& p : {Vec2(0, 0), Vec2(0, -3), Vec2(2, 0), Vec2(-1, -1)}) {
+    SCOPED_TRACE(testing::Message() << p.transpose());
+    EXPECT_EQ(none.clearance_m(p), std::numeric_limits<double>::infinity());
+    EXPECT_EQ(none.clearance_m(p, 2), 2);
+    EXPECT_FALSE(none.is_inside_polygon(p));
+    for (const Vec2& direction : {Vec2(1, 0), Vec2(0, 1), Vec2(-1, 0), Vec2(0.6, 0.8)}) {
+      EXPECT_TRUE(none.segment_is_clear(p, p + 5 * direction, 0.3));
+      none.walk(p, direction, 5, never, never, [](double) { return false; });
+    }
+    none.visit({p - Vec2(1, 1), p + Vec2(1, 1)}, never, never);
+  }
+}
+
+// What the heap holds in all.
+std::size_t held_bytes() {
+  const struct mallinfo2 heap = mallinfo2();
+  return heap.uordblks + heap.hblkhd;
+}
+
+std::size_t bytes_of(const Shapes& shapes) {
+  const std::size_t before = held_bytes();
+  const ShapeIndex index(shapes);
+  return held_bytes() - before;
+}
+
+Shapes circles_over_each_other(int count, double side_m) {
+  Random rng(7);
+  Shapes shapes;
+  for (int i = 0; i < count; ++i) {
+    const double x_m = rng.uniform(0, side_m);
+    shapes.circles.push_back({{x_m, rng.uniform(0, side_m)}, 0.5});
+  }
+  return shapes;
+}
+
+TEST(ShapeIndex, TakesMemoryInProportionWhereCirclesLieOverEachOther) {
+  if (bytes_of(circles_over_each_other(100, 1)) == 0) GTEST_SKIP() << "another heap counts";
+  for (const double side_m : {0.0, 0.1, 5.0}) {
+    SCOPED_TRACE(side_m);
+    const std::size_t few = bytes_of(circles_over_each_other(20'000, side_m));
+    EXPECT_LT(few, 20'000 * 200U);
+    EXPECT_LT(bytes_of(circles_over_each_other(200'000, side_m)), 12 * few + 20'000);
+  }
+}
+
+TEST(ShapeIndex, HoldsOneOfEqualCircles) {
+  Shapes shapes;
+  for (const double x : {3.0, 1.0, 3.0, 2.0, 1.0}) shapes.circles.push_back({{x, 1}, 0.5});
+  shapes.circles.push_back({{2, 1}, 0.25});
+  std::vector<double> x_m;
+  for (const Circle& circle : ShapeIndex(shapes).circles()) x_m.push_back(circle.center.x());
+  EXPECT_EQ(x_m, (std::vector<double>{3, 1, 2, 2}));
 }
 
 TEST(ShapeIndex, SweptDiscIsExact) {

@@ -25,14 +25,17 @@ TEST_F(ReportPages, ShowsTheNumbersOfTheRecords) {
   EXPECT_THAT(text("header"), HasSubstr("commit 0123abcd"));
   const std::string shown = rows("overview");
   for (const PlannerSummary& s : input.summary.groups) {
-    EXPECT_THAT(shown,
-                HasSubstr(s.group.scenario_group + " | " + s.planner + " | " + std::to_string(s.n) +
-                          " | " + decimal(std::round(100 * s.success.value), 0) + " % " +
-                          std::to_string(s.success.successes) + "/" + std::to_string(s.n) +
-                          ", 95 % [" + decimal(std::round(100 * s.success.interval.low), 0) + ", " +
-                          decimal(std::round(100 * s.success.interval.high), 0) + "] | " +
-                          std::to_string(s.collisions.successes)));
-    EXPECT_THAT(shown, HasSubstr(" | " + decimal(s.path_ratio_median.value, 3) + "["));
+    const Estimate& reached = s.of("goal_reached_share");
+    EXPECT_THAT(
+        shown,
+        HasSubstr(s.group.scenario_group + " | " + s.planner + " | " + std::to_string(s.n) + " | " +
+                  fixed(100 * reached.value, 1) + " % " + std::to_string(reached.successes) + "/" +
+                  std::to_string(s.n) + ", 95 % [" + fixed(100 * reached.interval.low, 1) + ", " +
+                  fixed(100 * reached.interval.high, 1) + "] | "));
+    for (const Statistic* one : statistics_shown(kPage))
+      if (one->estimator != Estimator::rate && s.of(one->name).n > 0) {
+        EXPECT_THAT(shown, HasSubstr(" | " + fixed(s.of(one->name).value, one->digits)));
+      }
   }
 }
 
@@ -44,9 +47,9 @@ TEST_F(ReportPages, FailuresAreAPlateauOfTheCurvesNotAGapInThem) {
   open(write_page("plateaus.html", input), "#distributions");
   for (const PlannerSummary& s : input.summary.totals) {
     const std::string plateau =
-        session_->evaluate("document.querySelector('#path-ratio [data-planner=\"" + s.planner +
+        session_->evaluate("document.querySelector('#path_ratio [data-planner=\"" + s.planner +
                            "\"]').dataset.plateau");
-    EXPECT_NEAR(std::stod(plateau), s.success.value, 1e-9) << s.planner;
+    EXPECT_NEAR(std::stod(plateau), s.of("goal_reached_share").value, 1e-9) << s.planner;
   }
 }
 
@@ -153,13 +156,15 @@ TEST_F(ReportPages, ASweepShowsTheIntervalsOfTheSummary) {
   const ReportInput input = report_input_of(run, "A sweep");
   open(write_page("sweep.html", input), "#sweeps");
   for (const PlannerSummary& s : input.summary.groups) {
-    const std::string point = "[...document.querySelectorAll('#sweep-0-success [data-planner=\"" +
-                              s.planner + "\"] .point')].find(p => p.dataset.tip.includes('" +
-                              s.group.scenario_group + "'))";
-    EXPECT_NEAR(std::stod(session_->evaluate(point + ".dataset.value")), s.success.value, 1e-9);
+    const std::string point =
+        "[...document.querySelectorAll('#sweep-0-goal_reached_share [data-planner=\"" + s.planner +
+        "\"] .point')].find(p => p.dataset.tip.includes('" + s.group.scenario_group + "'))";
+    EXPECT_NEAR(std::stod(session_->evaluate(point + ".dataset.value")),
+                s.of("goal_reached_share").value, 1e-9);
     EXPECT_THAT(session_->evaluate(point + ".dataset.tip"),
-                HasSubstr("[" + decimal(s.success.interval.low, 3) + ", " +
-                          decimal(s.success.interval.high, 3) + "]\nn = " + std::to_string(s.n)));
+                HasSubstr("[" + fixed(100 * s.of("goal_reached_share").interval.low, 1) + " %, " +
+                          fixed(100 * s.of("goal_reached_share").interval.high, 1) +
+                          " %]\nn = " + std::to_string(s.n)));
   }
 }
 
@@ -222,7 +227,7 @@ TEST_F(ReportPages, APlotIsTakenAwayWithItsTitleAndLegend) {
   session_->evaluate(
       "(() => { URL.createObjectURL = b => { window.saved = b; return 'blob:none'; };"
       " HTMLAnchorElement.prototype.click = () => {}; })()");
-  session_->evaluate("document.querySelector('#path-ratio button').click()");
+  session_->evaluate("document.querySelector('#path_ratio button').click()");
   const std::string svg = session_->evaluate("window.saved.text()");
   for (const char* part :
        {"How long are the paths?", "RRTConnect", "of n = ", "share of all trials"}) {

@@ -5,7 +5,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "voronaut/reports/encoding/column_text.h"
+#include "voronaut/reports/record_columns.h"
 #include "voronaut/tests/reports/synthetic_run.h"
 
 namespace voronaut {
@@ -19,12 +19,33 @@ TEST(CsvField, QuotesOnlyWhatNeedsIt) {
   EXPECT_EQ(csv_field(""), "");
 }
 
+TEST(CsvField, KeepsSpreadsheetsFromRunningIt) {
+  EXPECT_EQ(csv_field("=1+2"), "'=1+2");
+  EXPECT_EQ(csv_field("+a"), "'+a");
+  EXPECT_EQ(csv_field("-a"), "'-a");
+  EXPECT_EQ(csv_field("@SUM(A1)"), "'@SUM(A1)");
+  EXPECT_EQ(csv_field("\t=1"), "'\t=1");
+  EXPECT_EQ(csv_field("=\"x\",1"), "\"'=\"\"x\"\",1\"");
+  EXPECT_EQ(csv_field("'quoted"), "''quoted") << "taking one off gives the text back";
+  EXPECT_EQ(csv_field("a=1"), "a=1");
+}
+
+TEST(Csv, GuardsLabelsAndLeavesNegativeNumbersAlone) {
+  RunRecord record = synthetic::make_record("t1");
+  record.planner = "=HYPERLINK(\"x\")";
+  record.end_x_m = -1.5;
+  const std::string csv = records_to_csv({record});
+  EXPECT_THAT(csv, ::testing::HasSubstr(",\"'=HYPERLINK(\"\"x\"\")\","));
+  EXPECT_THAT(csv, ::testing::HasSubstr(",-1.5,"));
+}
+
 TEST(NumberText, IsTheShortestThatReadsBack) {
-  EXPECT_EQ(column_text(0.1), "0.1");
-  EXPECT_EQ(column_text(0.1 + 0.2), "0.30000000000000004");
-  EXPECT_EQ(column_text(3.0), "3");
-  EXPECT_EQ(column_text(-2.5e-9), "-2.5e-09");
-  EXPECT_EQ(column_text(kAbsent), "");
+  EXPECT_EQ(cell_text(0.1), "0.1");
+  EXPECT_EQ(cell_text(0.1 + 0.2), "0.30000000000000004");
+  EXPECT_EQ(cell_text(3.0), "3");
+  EXPECT_EQ(cell_text(-2.5e-9), "-2.5e-09");
+  EXPECT_EQ(cell_text(kAbsent), "");
+  EXPECT_EQ(cell_text(-0.0), "0");
 }
 
 TEST(Csv, MatchesTheGoldenFile) {
@@ -36,7 +57,7 @@ TEST(Csv, MatchesTheGoldenFile) {
       records_to_csv({record}),
       "trial_id,suite,scenario,scenario_group,world_id,vehicle,regulator,planner,repetition,seed,"
       "outcome,reason,duration_s,path_length_m,shortest_length_m,shortest_at_clearance_m,"
-      "path_ratio,spl,clearance_min_m,clearance_mean_m,speed_mean_m_s,speed_max_m_s,end_x_m,"
+      "path_ratio,spl,clearance_smallest_m,clearance_mean_m,speed_mean_m_s,speed_max_m_s,end_x_m,"
       "end_y_m,replans,state_checks,budget_stops,stops_state_checks,stops_ptc_evaluations,"
       "stops_iterations,stops_wall_clock,stops_first_solution,map_points,map_obstacles,modes,"
       "state_digest,"

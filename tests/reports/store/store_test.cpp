@@ -147,9 +147,54 @@ TEST_F(Store, GivesFigurePanelsPerWorld) {
 TEST_F(Store, KeepsMetaAndReplacesIt) {
   ResultStore store = ResultStore::create(file());
   EXPECT_FALSE(store.meta("suite"));
-  store.set_meta("suite", "one");
-  store.set_meta("suite", "two");
+  store.set_meta({{"suite", "one"}});
+  store.set_meta({{"suite", "two"}});
   EXPECT_EQ(store.meta("suite"), "two");
+}
+
+TEST_F(Store, IsMadeWithItsMetaOrNotAtAll) {
+  std::ofstream(file()).close();  // its maker was killed
+  EXPECT_EQ(ResultStore::create(file(), {{"suite", "one"}}).meta("suite"), "one");
+  EXPECT_EQ(ResultStore::create(file(), {{"suite", "two"}}).meta("suite"), "one");
+}
+
+TEST_F(Store, KeepsCopiesOfFiles) {
+  ResultStore store = ResultStore::create(file());
+  EXPECT_TRUE(store.kept_files().empty());
+  const ResultStore::Files files = {{"/a.yaml", "world: {}"}, {"/b.pgm", std::string("\0\1", 2)}};
+  store.keep_files({{"/old.yaml", "x"}});
+  store.keep_files(files);
+  EXPECT_EQ(ResultStore::open(file()).kept_files(), files);
+}
+
+TEST_F(Store, RefusesAValueOfAnotherTypeWithRowAndColumn) {
+  const auto refusal = [&](const std::string& assignment) {
+    std::filesystem::remove(file());
+    ResultStore store = ResultStore::create(file());
+    for (const char* id : {"t1", "t2"}) store.insert(synthetic::make_record(id), std::nullopt);
+    sqlite::Database(file(), sqlite::OpenMode::existing)
+        .execute("UPDATE trials SET " + assignment + " WHERE trial_id = 't2'");
+    EXPECT_TRUE(store.record("t1"));
+    return error_of([&] { store.records(); });
+  };
+  const std::string row = file().string() + ": table trials, row with trial_id 't2', column ";
+  EXPECT_EQ(refusal("duration_s = 'fast'"), row + "duration_s: expected a number, got 'fast'");
+  EXPECT_EQ(refusal("replans = 'many'"), row + "replans: expected a whole number, got 'many'");
+  EXPECT_EQ(refusal("replans = 1.5"), row + "replans: expected a whole number, got '1.5'");
+  EXPECT_EQ(refusal("planner = x'00'"), row + "planner: expected text, got '" + '\0' + "'");
+  EXPECT_EQ(refusal("duration_s = 3"), "");
+}
+
+TEST_F(Store, WritesItsFileAnewWhenSomebodyDeletesOrReplacesIt) {
+  ResultStore store = ResultStore::create(file());
+  store.insert(synthetic::make_record("t1"), std::nullopt);
+  std::filesystem::remove(file());
+  store.insert(synthetic::make_record("t2"), std::nullopt);
+  EXPECT_EQ(ResultStore::open(file()).trial_ids(), (std::vector<std::string>{"t1", "t2"}));
+  std::filesystem::rename(file(), file().string() + ".elsewhere");
+  std::ofstream(file()) << "no database";
+  store.restore_at_path();
+  EXPECT_EQ(ResultStore::open(file()).trial_ids(), (std::vector<std::string>{"t1", "t2"}));
 }
 
 TEST_F(Store, ContinuesWhereAnotherProcessStopped) {
@@ -175,7 +220,9 @@ TEST_F(Store, SurvivesAKillAtAnyMomentWithWholeTrialsOnly) {
                      synthetic::make_trace(id, world, 1, Outcome::collision, 11));
       }
     }
-    usleep(30'000 + 7'000 * round);
+    const auto stored = [&] { return ResultStore::open(file()).trial_ids().size(); };
+    for (const std::size_t before = stored(); stored() == before;) usleep(1000);
+    usleep(7'000 * round);
     kill(child, SIGKILL);
     waitpid(child, nullptr, 0);
     ResultStore store = ResultStore::open(file());
@@ -206,11 +253,11 @@ TEST_F(Store, SaysThatTheSchemaIsAnother) {
   sqlite::Database database(file(), sqlite::OpenMode::existing);
   database.execute("PRAGMA user_version = 7");
   EXPECT_EQ(error_of([&] { ResultStore::open(file()); }),
-            file().string() + ": schema version 7, this program reads version 2");
-  database.execute("PRAGMA user_version = 2");
+            file().string() + ": schema version 7, this program reads version 3");
+  database.execute("PRAGMA user_version = 3");
   database.execute("ALTER TABLE trials DROP COLUMN spl");
   EXPECT_THAT(error_of([&] { ResultStore::create(file()); }),
-              HasSubstr("path_ratio, clearance_min_m"));
+              HasSubstr("path_ratio, clearance_smallest_m"));
 }
 
 TEST_F(Store, LeavesADatabaseOfSomebodyElseAlone) {
@@ -220,13 +267,6 @@ TEST_F(Store, LeavesADatabaseOfSomebodyElseAlone) {
   sqlite::Statement tables(database, "SELECT count(*) FROM sqlite_master");
   tables.step();
   EXPECT_EQ(tables.integer(0), 1);
-}
-
-TEST(Outcome, NamesGoBothWays) {
-  for (const Outcome outcome : kOutcomes) {
-    EXPECT_EQ(outcome_from_string(to_string(outcome)), outcome);
-  }
-  EXPECT_THROW(outcome_from_string("victory"), std::invalid_argument);
 }
 
 }  // namespace

@@ -31,8 +31,8 @@ TEST(Comparison, ARunAgainstItselfHasNotChanged) {
   for (const PlannerChange& change : same.changes) {
     pairs += change.n;
     EXPECT_EQ(change.gained + change.lost, 0);
-    EXPECT_EQ(change.success_change.value, 0.0);
-    EXPECT_EQ(change.path_ratio_change.value, 0.0);
+    EXPECT_EQ(change.of("goal_reached_share").value, 0.0);
+    EXPECT_EQ(change.of("path_ratio_median").value, 0.0);
   }
   EXPECT_EQ(pairs, static_cast<std::int64_t>(run.records.size()));
 }
@@ -55,10 +55,10 @@ TEST(Comparison, CountsWhatWasGainedAndLostAndMeasuresPathsOfPairsThatArrivedBot
   EXPECT_EQ(change.reached_now.successes, 3);
   EXPECT_EQ(change.gained, 1);
   EXPECT_EQ(change.lost, 1);
-  EXPECT_EQ(change.success_change.value, 0.0);
-  EXPECT_EQ(change.path_ratio_change.n, 2);
-  EXPECT_NEAR(change.path_ratio_change.value, 0.1, 1e-12);
-  EXPECT_NEAR(change.state_checks_change.value, 0.5, 1e-12);
+  EXPECT_EQ(change.of("goal_reached_share").value, 0.0);
+  EXPECT_EQ(change.of("path_ratio_median").n, 2);
+  EXPECT_NEAR(change.of("path_ratio_median").value, 0.1, 1e-12);
+  EXPECT_NEAR(change.of("state_checks_median").value, 0.5, 1e-12);
   ASSERT_EQ(comparison.outcomes.size(), 2U);
   EXPECT_EQ(comparison.outcomes[0].outcome_before, collision);
   EXPECT_EQ(comparison.outcomes[0].now.outcome, goal_reached);
@@ -84,8 +84,8 @@ TEST(Comparison, AnOnePercentRegressionOfEveryTrialIsTold) {
     now.push_back(trial("a", i, Outcome::goal_reached, 1.01 * (1.0 + 0.05 * i)));
   }
   const PlannerChange change = compare_runs(now, before).changes.front();
-  EXPECT_GT(change.path_ratio_change.interval.low, 0.0);
-  EXPECT_NEAR(change.path_ratio_change.value, 0.01, 1e-12);
+  EXPECT_GT(change.of("path_ratio_median").interval.low, 0.0);
+  EXPECT_NEAR(change.of("path_ratio_median").value, 0.01, 1e-12);
   EXPECT_THAT(comparison_markdown(compare_runs(now, before)),
               HasSubstr("+1.0 % [+1.0, +1.0] over 20"));
 }

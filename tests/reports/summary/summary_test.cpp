@@ -1,9 +1,13 @@
 #include "voronaut/reports/summary/summary.h"
 
+#include <algorithm>
+#include <sstream>
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include "voronaut/reports/summary/statistics.h"
 #include "voronaut/reports/summary/summary_text.h"
 #include "voronaut/reports/summary/text_table.h"
 #include "voronaut/tests/reports/synthetic_run.h"
@@ -38,24 +42,47 @@ TEST(Summary, KeepsFailuresInTheDenominator) {
   ASSERT_EQ(s.groups.size(), 1U);
   const PlannerSummary& a = s.groups.front();
   EXPECT_EQ(a.n, 4);
-  EXPECT_EQ(a.success.successes, 1);
-  EXPECT_EQ(a.success.n, 4);
-  EXPECT_DOUBLE_EQ(a.success.value, 0.25);
-  EXPECT_DOUBLE_EQ(a.spl_mean.value, 0.2);
-  EXPECT_EQ(a.spl_mean.n, 4);
-  EXPECT_EQ(a.path_ratio_median.n, 1);
-  EXPECT_DOUBLE_EQ(a.path_ratio_median.value, 1.25);
+  EXPECT_EQ(a.of("goal_reached_share").successes, 1);
+  EXPECT_EQ(a.of("goal_reached_share").n, 4);
+  EXPECT_DOUBLE_EQ(a.of("goal_reached_share").value, 0.25);
+  EXPECT_DOUBLE_EQ(a.of("spl_mean").value, 0.2);
+  EXPECT_EQ(a.of("spl_mean").n, 4);
+  EXPECT_EQ(a.of("path_ratio_median").n, 1);
+  EXPECT_DOUBLE_EQ(a.of("path_ratio_median").value, 1.25);
   EXPECT_EQ(a.outcomes[1], 1);
   EXPECT_EQ(a.outcomes[6], 1);
   EXPECT_EQ(a.outcomes[8], 1);
   EXPECT_TRUE(s.totals.empty()) << "one group needs no pooled row";
 }
 
+TEST(PathRatio, AtClearanceIsThatOfTheBodyWhereStartAndGoalAreOnePlace) {
+  RunRecord here = trial("a", "paper-1", 0, Outcome::goal_reached, 1.0);
+  here.shortest_length_m = here.shortest_at_clearance_m = 0;
+  const Statistic& at_clearance = statistic("path_ratio_at_clearance_mean");
+  EXPECT_EQ(value_of(at_clearance, here), 1);
+  here.shortest_length_m = 8;
+  here.shortest_at_clearance_m = 10;
+  EXPECT_DOUBLE_EQ(value_of(at_clearance, here), 0.8);
+}
+
+TEST(BarnScore, IsThatOfTheSlowestWhereThereWasNothingToDo) {
+  RunRecord r = trial("a", "paper-1", 0, Outcome::goal_reached, 1.0);
+  r.scenario_group = "barn";
+  r.shortest_length_m = 10;
+  const Statistic& barn = statistic("barn_score_mean");
+  for (const auto& [duration_s, score] : {std::pair(5.0, 0.5), {20.0, 0.25}, {80.0, 0.125}}) {
+    r.duration_s = duration_s;
+    EXPECT_DOUBLE_EQ(value_of(barn, r), score);
+  }
+  r.shortest_length_m = 0;
+  EXPECT_DOUBLE_EQ(value_of(barn, r), 0.125);
+}
+
 TEST(Summary, ATrialThatNeverStartedCountsZeroInTheSpl) {
   RunRecord never = trial("a", "paper-1", 1, Outcome::crash);
   never.spl = kAbsent;
   const Summary s = summarise({trial("a", "paper-1", 0, Outcome::goal_reached, 1.0), never});
-  EXPECT_DOUBLE_EQ(s.groups.front().spl_mean.value, 0.5);
+  EXPECT_DOUBLE_EQ(s.groups.front().of("spl_mean").value, 0.5);
 }
 
 TEST(Summary, KeepsVehiclesAndRegulatorsApartAndPoolsScenarioGroups) {
@@ -138,12 +165,16 @@ TEST(SummaryText, ShowsOutcomesWithTheirIntervals) {
   EXPECT_THAT(text, HasSubstr("paper, quadrotor with pd_rate\n"));
   EXPECT_THAT(
       text,
-      HasSubstr("planner    n   success [95 %]  path ratio   95th  over    SPL  clearance m  m/s  "
-                "s to goal  plan us  ended otherwise\n"
-                "a          2     50 % [9, 91]       1.250  1.250     1  0.400            -    -  "
-                "        -        -  1 collision\n"
-                "long name  1  100 % [21, 100]       1.500  1.500     1  0.667            -    -  "
-                "        -        -\n"));
+      HasSubstr(
+          "planner    n         goal reached  path ratio       path ratio    SPL  ended "
+          "otherwise\n"
+          "                            share      median  95th percentile   mean\n"
+          "a          2    50.0 % [9.5, 90.5]       1.250            1.250  0.400  1 collision\n"
+          "long name  1  100.0 % [20.7, 100.0]       1.500            1.500  0.667\n"))
+      << "columns that no row has a value of are left out";
+  EXPECT_THAT(text,
+              HasSubstr("Over all trials: goal reached, SPL; trials that reached the goal: path "
+                        "ratio. Brackets are 95 % intervals.\n"));
   EXPECT_THAT(text, HasSubstr("planner  against    n  win  tie  loss"));
 }
 
@@ -160,13 +191,14 @@ TEST(SummaryText, AlignsNamesOfOtherScriptsAndDefusesControlCharacters) {
 
 TEST(SummaryText, OfNothingIsEmpty) {
   EXPECT_EQ(summary_text(summarise({})), "");
-  EXPECT_EQ(summary_json(summarise({})), R"({"groups":[],"pairings":[],"totals":[]})");
+  const auto json = nlohmann::json::parse(summary_json(summarise({})));
+  for (const char* list : {"groups", "pairings", "totals"}) EXPECT_TRUE(json.at(list).empty());
 }
 
 TEST(SummaryMarkdown, EscapesWhatMarkdownWouldRead) {
   const std::string text =
       summary_markdown(summarise({trial("as_published|x", "paper-1", 0, Outcome::timeout)}));
-  EXPECT_THAT(text, HasSubstr("| as\\_published\\|x | 1 | 0 % [0, 79] |"));
+  EXPECT_THAT(text, HasSubstr("| as\\_published\\|x | 1 | 0.0 % [0.0, 79.3] |"));
   EXPECT_THAT(text, HasSubstr("|:---|---:|"));
 }
 
@@ -178,11 +210,32 @@ TEST(SummaryJson, HoldsTheNumbersOfTheSummary) {
   for (std::size_t i = 0; i < s.groups.size(); ++i) {
     const auto& g = json["groups"][i];
     EXPECT_EQ(g["planner"], s.groups[i].planner);
-    EXPECT_EQ(g["success"]["successes"], s.groups[i].success.successes);
     EXPECT_EQ(g["outcomes"]["collision"], s.groups[i].outcomes[1]);
-    EXPECT_EQ(g["path_ratio_median"]["value"], s.groups[i].path_ratio_median.value);
+    EXPECT_EQ(g["statistics"].size(), statistics().size());
+    EXPECT_EQ(g["statistics"]["goal_reached_share"]["successes"], s.groups[i].outcomes[0]);
+    EXPECT_EQ(g["statistics"]["path_ratio_median"]["value"],
+              s.groups[i].of("path_ratio_median").value);
   }
-  EXPECT_TRUE(json["groups"][0]["state_checks_median"]["interval"][0].is_number());
+  EXPECT_TRUE(json["groups"][0]["statistics"]["state_checks_median"]["interval"][0].is_number());
+  EXPECT_EQ(json["statistics"].size(), statistics().size());
+}
+
+TEST(SummaryCsv, HasALinePerPlannerAndFourCellsPerStatistic) {
+  std::istringstream lines(summary_csv(summarise({
+      trial("a", "paper-1", 0, Outcome::goal_reached, 1.25),
+      trial("a", "paper-1", 1, Outcome::collision),
+      trial("b, c", "paper-1", 0, Outcome::timeout),
+  })));
+  std::string head, a, b;
+  ASSERT_TRUE(std::getline(lines, head) && std::getline(lines, a) && std::getline(lines, b));
+  EXPECT_THAT(head, ::testing::StartsWith("scenario_group,vehicle,regulator,planner,n,"
+                                          "goal_reached_share,goal_reached_share_low,"
+                                          "goal_reached_share_high,goal_reached_share_n,"));
+  EXPECT_EQ(std::count(head.begin(), head.end(), ','),
+            4 + 4 * static_cast<std::ptrdiff_t>(statistics().size()));
+  EXPECT_EQ(std::count(a.begin(), a.end(), ','), std::count(head.begin(), head.end(), ','));
+  EXPECT_THAT(a, ::testing::StartsWith("paper,quadrotor,pd_rate,a,2,0.5,0.09"));
+  EXPECT_THAT(b, ::testing::StartsWith("paper,quadrotor,pd_rate,\"b, c\",1,0,0,0.79"));
 }
 
 }  // namespace

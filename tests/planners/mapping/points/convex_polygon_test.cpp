@@ -5,9 +5,9 @@
 
 #include <gtest/gtest.h>
 
+#include "voronaut/benchmarks/micro/peers/boost_intersects.h"
 #include "voronaut/environments/random.h"
 #include "voronaut/planners/mapping/points/orientation.h"
-#include "voronaut/tests/support/boost_intersects.h"
 
 namespace voronaut {
 namespace {

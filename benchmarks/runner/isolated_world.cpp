@@ -1,0 +1,51 @@
+#include "voronaut/benchmarks/runner/isolated_world.h"
+
+#include <cstring>
+#include <stdexcept>
+#include <utility>
+
+#include "voronaut/benchmarks/isolation/child_process.h"
+
+namespace voronaut {
+
+namespace {
+
+// Far above what any world needs: there is an end to it, no more.
+constexpr ProcessLimits kLimits{.memory_mb = 64 * 1024, .cpu_s = 3600, .wall_s = 3600};
+
+std::string bytes_of(double value) {
+  std::string bytes(sizeof value, '\0');
+  std::memcpy(bytes.data(), &value, sizeof value);
+  return bytes;
+}
+
+}  // namespace
+
+ShortestReferences isolated_references(ShortestReferences::Length length) {
+  return ShortestReferences([length = std::move(length)](const Scenario& scenario,
+                                                         double radius_m) {
+    const ChildReport ended =
+        run_in_child([&] { return bytes_of(length(scenario, radius_m)); }, kLimits);
+    double length_m = kAbsent;
+    if (ended.end != ChildReport::End::finished || ended.output.size() != sizeof length_m)
+      throw std::runtime_error("the shortest path of its world: " + end_in_words(ended, kLimits));
+    std::memcpy(&length_m, ended.output.data(), sizeof length_m);
+    return length_m;
+  });
+}
+
+SuiteTrials::Rehearse rehearse_in_child() {
+  return [](const std::function<void()>& work) -> std::string {
+    const ChildReport ended = run_in_child(
+        [&] {
+          work();
+          return std::string();
+        },
+        kLimits);
+    using End = ChildReport::End;
+    const bool harmless = ended.end == End::finished || ended.end == End::exception;
+    return harmless ? "" : "making its world: " + end_in_words(ended, kLimits);
+  };
+}
+
+}  // namespace voronaut

@@ -1,0 +1,18 @@
+#pragma once
+
+#include "voronaut/benchmarks/suite/shortest_references.h"
+#include "voronaut/benchmarks/suite/suite_trials.h"
+
+// What a scenario makes the program compute before anything flies, done in a child first: whatever
+// that does to its process becomes rows of the trials concerned, and a run goes on.
+namespace voronaut {
+
+// Each length computed in a child, once for a world and a radius. add_to() throws
+// std::runtime_error that says how the child ended, where it brought no length.
+ShortestReferences isolated_references(
+    ShortestReferences::Length length = ShortestReferences::exact_length_m);
+
+// Makes a world in a child that is thrown away: a world that ends its process does so there.
+SuiteTrials::Rehearse rehearse_in_child();
+
+}  // namespace voronaut

@@ -1,0 +1,53 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "voronaut/reports/run_record.h"
+
+// Estimates with 95 % intervals. Pure functions; the same input gives the same bits.
+namespace voronaut {
+
+struct Interval {
+  double low = kAbsent;
+  double high = kAbsent;
+};
+
+// A number over n values, with its interval: Wilson's of a rate, else bootstrapped. Absent for n =
+// 0; of what is bootstrapped also the interval for n = 1: resampling one value would pretend
+// certainty.
+struct Estimate {
+  double value = kAbsent;
+  Interval interval;
+  std::int64_t n = 0;
+  std::int64_t successes = 0;  // of a rate: value = successes / n
+};
+
+// Wilson's score interval (E. B. Wilson, J. Am. Stat. Assoc. 22, 1927, doi:10.2307/2276774), which
+// stays inside [0, 1] and is not of zero width at 0 or n successes.
+Estimate wilson_rate(std::int64_t successes, std::int64_t n);
+
+struct BootstrapConfig {
+  int resamples = 1000;  // 0: no interval
+  std::uint64_t seed = 20'240'229;
+
+  template <class Visitor>
+  void visit(Visitor& v) {
+    v.count("resamples", resamples, 0, 100'000);
+  }
+};
+
+// Quantile with linear interpolation between order statistics (Hyndman and Fan's type 7,
+// doi:10.2307/2684934). `sorted` ascends, is not empty, `probability` is in [0, 1].
+double quantile_of_sorted(std::span<const double> sorted, double probability);
+// The same of values in any order; NaN for none. O(n log n).
+double quantile(std::vector<double> values, double probability);
+
+// Percentile bootstrap over the given values (B. Efron, Ann. Stat. 7, 1979,
+// doi:10.1214/aos/1176344552), O(resamples * n). Values that are NaN are left out and not counted.
+Estimate quantile_estimate(std::vector<double> values, double probability,
+                           const BootstrapConfig& config = {});
+Estimate mean_estimate(std::vector<double> values, const BootstrapConfig& config = {});
+
+}  // namespace voronaut

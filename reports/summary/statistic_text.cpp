@@ -1,0 +1,95 @@
+#include "voronaut/reports/summary/statistic_text.h"
+
+#include <cmath>
+#include <cstdio>
+#include <limits>
+#include <numeric>
+
+namespace voronaut {
+
+namespace {
+
+bool is_rate(const Statistic& statistic) { return statistic.estimator == Estimator::rate; }
+
+// A share is written as a percentage.
+std::string number(const Statistic& statistic, double value) {
+  return fixed(is_rate(statistic) ? 100 * value : value, statistic.digits);
+}
+
+std::string interval(const Statistic& statistic, const Estimate& estimate) {
+  if (std::isnan(estimate.interval.low)) return "";
+  return " [" + number(statistic, estimate.interval.low) + ", " +
+         number(statistic, estimate.interval.high) + "]";
+}
+
+std::string over(const Statistic& statistic, const Estimate& estimate,
+                 const OutcomeCounts& counts) {
+  const std::int64_t expected = statistic.rows == Rows::goal_reached
+                                    ? counts.front()
+                                    : std::accumulate(counts.begin(), counts.end(), std::int64_t{});
+  return estimate.n == expected ? "" : " over " + std::to_string(estimate.n);
+}
+
+}  // namespace
+
+std::string fixed(double value, int digits) {
+  if (std::isnan(value)) return "-";
+  double halves = 2;  // of the last digit, in one
+  for (int i = 0; i < digits; ++i) halves *= 10;
+  // printf takes an exact half to the even digit; the smallest bit more it takes up.
+  const double count = halves * value;
+  const bool is_half = std::fma(halves, value, -count) == 0 && std::fmod(std::abs(count), 2) == 1;
+  const double away = std::copysign(std::numeric_limits<double>::infinity(), value);
+  char text[64];
+  std::snprintf(text, sizeof text, "%.*f", digits, is_half ? std::nextafter(value, away) : value);
+  return text;
+}
+
+std::string heading(const Statistic& statistic) {
+  std::string text(statistic.label);
+  text.append("\n").append(estimator_words(statistic));
+  if (const std::string_view unit = unit_of(statistic); !unit.empty())
+    text.append(", ").append(unit);
+  return text;
+}
+
+OutcomeCounts outcome_counts(const Trials& trials) {
+  OutcomeCounts counts{};
+  for (const RunRecord* trial : trials) ++counts[static_cast<std::size_t>(trial->outcome)];
+  return counts;
+}
+
+std::string brief_text(const Statistic& statistic, const Estimate& estimate,
+                       const OutcomeCounts& counts) {
+  if (estimate.n == 0) return "-";
+  return number(statistic, estimate.value) +
+         (is_rate(statistic) ? " %" + interval(statistic, estimate) : "") +
+         over(statistic, estimate, counts);
+}
+
+std::string full_text(const Statistic& statistic, const Estimate& estimate,
+                      const OutcomeCounts& counts) {
+  if (estimate.n == 0) return "-";
+  if (is_rate(statistic))
+    return std::to_string(estimate.successes) + " of " + std::to_string(estimate.n) + ", " +
+           brief_text(statistic, estimate, counts);
+  return number(statistic, estimate.value) + interval(statistic, estimate) +
+         over(statistic, estimate, counts);
+}
+
+std::string other_outcomes(const OutcomeCounts& counts, Output output) {
+  std::string shown;
+  for (const Statistic* statistic : statistics_shown(output))
+    shown.append(statistic->name).append(" ");
+  std::string text;
+  for (const OutcomeEntry& entry : kOutcomes) {
+    const std::int64_t count = counts[static_cast<std::size_t>(entry.outcome)];
+    if (count == 0 || shown.find(std::string(entry.name) + "_share ") != std::string::npos)
+      continue;
+    text.append(text.empty() ? "" : ", ").append(std::to_string(count)).append(" ");
+    text.append(entry.words);
+  }
+  return text;
+}
+
+}  // namespace voronaut

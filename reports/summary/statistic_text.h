@@ -1,0 +1,32 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string>
+
+#include "voronaut/reports/summary/statistics.h"
+
+// How numbers of the table of statistics are written, wherever people read them.
+namespace voronaut {
+
+// "-" for NaN; halves away from zero, as the report's JavaScript rounds what is positive.
+std::string fixed(double value, int digits);
+
+// Label, a line break, estimator and unit.
+std::string heading(const Statistic& statistic);
+
+// How many trials ended in each way, in the order of kOutcomes.
+using OutcomeCounts = std::array<std::int64_t, kOutcomes.size()>;
+OutcomeCounts outcome_counts(const Trials& trials);
+
+// "1.250", "50.0 % [9.5, 90.5]". Says over how many where not all of its trials have a value.
+std::string brief_text(const Statistic& statistic, const Estimate& estimate,
+                       const OutcomeCounts& counts);
+// The same with the interval, and of a rate with the counts: "1.250 [1.200, 1.300]", "1 of 2, ...".
+std::string full_text(const Statistic& statistic, const Estimate& estimate,
+                      const OutcomeCounts& counts);
+
+// "3 stuck, 1 crash": those of which `output` shows no share; empty for none.
+std::string other_outcomes(const OutcomeCounts& counts, Output output);
+
+}  // namespace voronaut
