@@ -2,6 +2,8 @@
 # turn, so that an installed header always finds what it needs. All others may change any day.
 #
 # voronaut_public_headers(<source root> <result>): paths relative to the root, sorted.
+cmake_policy(VERSION 3.22)
+
 set(voronaut_entry_headers
   # scan_types, environments
   environments/random.h

@@ -19,16 +19,16 @@ namespace voronaut {
 
 namespace {
 
-using Rows = std::vector<std::pair<std::string, std::string>>;
+using ListedRows = std::vector<std::pair<std::string, std::string>>;
 
-Rows rows_of(const std::vector<ShippedFile>& files) {
-  Rows rows;
+ListedRows rows_of(const std::vector<ShippedFile>& files) {
+  ListedRows rows;
   for (const ShippedFile& file : files) rows.emplace_back(file.name, file.summary);
   return rows;
 }
 
-Rows vehicle_rows() {
-  Rows rows;
+ListedRows vehicle_rows() {
+  ListedRows rows;
   for (const std::string& name : vehicle_names()) {
     const VehicleSpec spec = find_vehicle(name);
     rows.emplace_back(name, "body radius " + number_text(spec.body_radius_m) + " m, clearance " +
@@ -39,8 +39,8 @@ Rows vehicle_rows() {
   return rows;
 }
 
-Rows scenario_rows() {
-  Rows rows = rows_of(shipped_files("scenarios"));
+ListedRows scenario_rows() {
+  ListedRows rows = rows_of(shipped_files("scenarios"));
   for (const std::string& name : WorldGenerator::names())
     rows.emplace_back("generator: {name: " + name + "}", "random worlds");
   for (const std::string& name : data_set_names())
@@ -91,8 +91,8 @@ TextTable planner_table(const PlannerCatalog& planners) {
   return table;
 }
 
-Rows rows_of(const std::string& what) {
-  Rows rows;
+ListedRows rows_of(const std::string& what) {
+  ListedRows rows;
   if (what == "vehicles") {
     rows = vehicle_rows();
   } else if (what == "regulators") {
@@ -126,7 +126,7 @@ ExitCode execute(const ListOptions& options, const CommandContext& context) {
     context.out << results_page();
     return ExitCode::success;
   }
-  const Rows rows = rows_of(options.what);
+  const ListedRows rows = rows_of(options.what);
   std::size_t width = 0;
   for (const auto& [name, summary] : rows) width = std::max(width, name.size());
   for (const auto& [name, summary] : rows) {

@@ -34,6 +34,11 @@ Kind kind_of(const ParameterRange& range) {
   return range.options.empty() ? Kind::text : Kind::choice;
 }
 
+// OMPL's defaults of these are the processor's threads: not a fact of the program.
+bool follows_the_machine(const std::string& key) {
+  return key == "num_planners" || key == "num_threads";
+}
+
 KeyFact parameter_fact(const ompl::base::GenericParam& param) {
   const ParameterRange range(param);
   KeyFact fact;
@@ -42,7 +47,7 @@ KeyFact parameter_fact(const ompl::base::GenericParam& param) {
   fact.lo = range.low;
   fact.hi = range.high;
   if (fact.kind == Kind::choice) fact.choices = range.options;
-  fact.default_text = param.getValue();
+  if (!follows_the_machine(fact.key)) fact.default_text = param.getValue();
   if (fact.kind == Kind::flag) fact.default_text = fact.default_text == "1" ? "true" : "false";
   if (const auto* described = dynamic_cast<const ParameterSentence*>(&param))
     fact.sentence = described->sentence;

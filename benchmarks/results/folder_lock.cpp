@@ -1,5 +1,6 @@
 #include "voronaut/benchmarks/results/folder_lock.h"
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <cstring>
@@ -49,7 +50,7 @@ bool is_file_of(int fd, const std::filesystem::path& path) {
 
 }  // namespace
 
-FolderLock::FolderLock(const std::filesystem::path& folder) : file_(folder / "in-use") {
+FolderLock::FolderLock(const std::filesystem::path& folder) : file_(folder / kFile) {
   while (true) {
     fd_ = open(file_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0644);
     if (fd_ < 0) fail(file_);

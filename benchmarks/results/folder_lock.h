@@ -9,6 +9,8 @@ namespace voronaut {
 // that ends in order; without a holder it means nothing.
 class FolderLock {
  public:
+  static constexpr const char* kFile = "in-use";
+
   // Throws std::invalid_argument that says who holds the folder, std::runtime_error where the file
   // system takes no lock.
   explicit FolderLock(const std::filesystem::path& folder);

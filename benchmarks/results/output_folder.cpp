@@ -59,6 +59,7 @@ bool may_continue(const OutputFolder::Place& place, const Mismatch& mismatch, st
 void move_aside(const fs::path& folder, const Mismatch& mismatch, std::ostream& notes) {
   const fs::path aside = free_name(folder);
   fs::rename(folder, aside);
+  fs::remove(aside / FolderLock::kFile);  // the lock went along
   notes << "results of " << (mismatch.suite ? "another version of this suite" : "another build")
         << " moved to " << aside.string() << "\n";
 }

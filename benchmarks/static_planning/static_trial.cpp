@@ -50,7 +50,7 @@ void judge(RunRecord& record, const StaticSolve& solved, const SolutionPath& pat
   const auto* insight = dynamic_cast<const PlannerInsight*>(solved.planner.get());
   record.reason = status.asString();
   if (path.to_goal) {
-    const bool clear = is_clear(path.p_world, unseen.request(), unseen.truth());
+    const bool clear = is_clear(path.p_world, unseen.request(), &unseen.truth());
     record.outcome = clear ? Outcome::goal_reached : Outcome::collision;
     if (status == ob::PlannerStatus::APPROXIMATE_SOLUTION)
       record.reason += ", but its path ends at the goal";
@@ -80,6 +80,33 @@ std::vector<Tick> vertices(const std::vector<Vec2>& path_world, const World& wor
   return ticks;
 }
 
+// Of no vertices nothing but that there is no success.
+void add_vertices(RunRecord& record, const std::vector<Vec2>& path_world,
+                  const Scenario& scenario) {
+  const std::vector<Tick> path = vertices(path_world, *scenario.world);
+  record.spl = 0;
+  if (path.empty()) return;
+  add_path(record, path, scenario);
+  record.state_digest = state_digest(path);
+}
+
+bool starts_at_goal(const StaticProblem& problem) {
+  const std::vector<Vec2> path{problem.request().start_world};
+  return flaw_of(path, problem.request()).empty() &&
+         is_clear(path, problem.request(), problem.truth());
+}
+
+// Of who is there already: many planners would go round in a circle.
+TrialResult nothing_to_plan(const TrialSpec& spec, bool keep_trace) {
+  const std::vector<Vec2> path{spec.scenario.start_world};
+  TrialResult result{record_before_flight(spec), std::nullopt};
+  result.record.outcome = Outcome::goal_reached;
+  result.record.reason = "starts at the goal";
+  add_vertices(result.record, path, spec.scenario);
+  if (keep_trace) result.trace = static_trace(spec, Path{}, {}, {});
+  return result;
+}
+
 RunRecord record_of(const TrialSpec& spec, const StaticSolve& solved, const SolutionPath& found,
                     const StaticProblem& unseen) {
   RunRecord record = record_before_flight(spec);
@@ -90,11 +117,7 @@ RunRecord record_of(const TrialSpec& spec, const StaticSolve& solved, const Solu
   ends[static_cast<std::size_t>(solved.report.end)] = 1;
   add_solve_ends(record, ends);
   record.planning_time_us_mean = solved.time_us;
-  const std::vector<Tick> path = vertices(found.p_world, *spec.scenario.world);
-  record.spl = 0;
-  if (path.empty()) return record;
-  add_path(record, path, spec.scenario);
-  record.state_digest = state_digest(path);
+  add_vertices(record, found.p_world, spec.scenario);
   return record;
 }
 
@@ -102,6 +125,8 @@ RunRecord record_of(const TrialSpec& spec, const StaticSolve& solved, const Solu
 
 TrialResult run_static_trial(const TrialSpec& spec, const PlannerCatalog& planners,
                              bool keep_trace) {
+  const StaticProblem unseen(spec.scenario, spec.vehicle.planning_clearance_m);
+  if (starts_at_goal(unseen)) return nothing_to_plan(spec, keep_trace);
   {
     // Untimed: the first solve of a process pays for pages and caches. Of another seed: the
     // processor predicts the branches of a search that it has just done.
@@ -111,10 +136,9 @@ TrialResult run_static_trial(const TrialSpec& spec, const PlannerCatalog& planne
   seed_ompl(spec.planner_seed);
   StaticSolve solved(spec, planners, keep_trace);
 
-  const StaticProblem unseen(spec.scenario, spec.vehicle.planning_clearance_m);
-  const SolutionPath found =
-      solution_path(solved.report.status, *solved.problem.definition(),
-                    *unseen.space_information()->getStateSpace(), unseen.request(), unseen.truth());
+  const SolutionPath found = solution_path(solved.report.status, *solved.problem.definition(),
+                                           *unseen.space_information()->getStateSpace(),
+                                           unseen.request(), &unseen.truth());
   TrialResult result{record_of(spec, solved, found, unseen), std::nullopt};
   if (!keep_trace) return result;
   result.trace = static_trace(

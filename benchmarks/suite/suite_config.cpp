@@ -85,7 +85,7 @@ std::string why_no_stop(const VehicleEntry& entry, double period_s) {
 // Holds what the planners are flown with against what one of the vehicles can do.
 void require_able(const ConfigNode& root, const SuiteConfig& suite, const VehicleEntry& vehicle) {
   const std::string who = "vehicle " + in_quotes(vehicle.vehicle.name);
-  const std::string no_stop = why_no_stop(vehicle, suite.loop.vehicle_period_s);
+  const std::string no_stop = why_no_stop(vehicle, suite.flight.loop.vehicle_period_s);
   const bool looks_anywhere = mobility_of(vehicle.vehicle).moves_sideways;
   const std::vector<ConfigNode> entries = root.child("planners").items();
   for (std::size_t i = 0; i < suite.planners.size(); ++i) {

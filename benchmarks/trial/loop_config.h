@@ -18,7 +18,7 @@ struct LoopConfig {
     v.number("vehicle_period_s", vehicle_period_s, 0.001, 0.1,
              "The papers' T: one step of vehicle and regulator");
     v.number("time_limit_base_s", time_limit_base_s, 0, 1e6,
-             "Outcome timeout after so long and time_limit_s_per_m");
+             "Outcome timeout after so long, plus time_limit_s_per_m");
     v.number("time_limit_s_per_m", time_limit_s_per_m, 0, 1e6,
              "So much longer per metre of shortest path");
     v.number("goal_hold_s", goal_hold_s, 0, 60, "No contact for so long after reaching the goal");

@@ -7,10 +7,15 @@ namespace voronaut {
 namespace {
 
 constexpr std::array kRenamings{
-    Renaming{"clearance_min_m", "planning_clearance_m"},  // of a vehicle
-    Renaming{"claims", "acceptance"},
+    // Of a vehicle.
+    Renaming{"clearance_min_m", "planning_clearance_m"},
+    // Of `navigation`.
     Renaming{"gaze", "yaw_policy"},
-    Renaming{"known", "static"},  // the kind of a suite
+    // Of a suite: `kind` and its criteria.
+    Renaming{"known", "static"},
+    Renaming{"claims", "acceptance"},
+    Renaming{"outcome_share_min", "goal_reached_share_min"},
+    Renaming{"clearance_min_m", "clearance_smallest_m_min"},
 };
 
 }  // namespace

@@ -21,7 +21,7 @@ const char* problem_of(tinyxml2::XMLError error) {
     case tinyxml2::XML_ELEMENT_DEPTH_EXCEEDED:
       return "elements nested too deep";
     default:
-      return "a tag does not end, or is none";
+      return "a tag or an element does not end";
   }
 }
 

@@ -13,6 +13,7 @@
 #include <boost/geometry/geometries/polygon.hpp>
 
 #include "voronaut/environments/generators/placement.h"
+#include "voronaut/environments/shapes/polygon_validity.h"
 
 namespace voronaut {
 namespace {
@@ -26,6 +27,7 @@ using Box = bg::model::box<Point>;
 // Cuts leave slivers of rounding, which no body meets.
 constexpr double kSmallestArea_m2 = 1e-9;
 constexpr double kSameCoordinate_m = 1e-9;
+constexpr double kStraight = 1e-9;
 constexpr int kCirclesCorners = 64;
 
 Area::ring_type ring_of(const std::vector<Vec2>& vertices) {
@@ -62,6 +64,18 @@ PolygonArea area_of(const Area& polygon) {
   area.outer = vertices_of(polygon.outer());
   for (const auto& hole : polygon.inners()) area.holes.push_back(vertices_of(hole));
   return area;
+}
+
+// Boost leaves the corners of what it united where they lie on a straight edge now.
+std::vector<Vec2> without_straight_corners(const std::vector<Vec2>& ring) {
+  std::vector<Vec2> corners;
+  for (std::size_t i = 0; i < ring.size(); ++i) {
+    const Vec2 before = ring[i] - ring[i > 0 ? i - 1 : ring.size() - 1];
+    const Vec2 behind = ring[i + 1 < ring.size() ? i + 1 : 0] - ring[i];
+    if (std::abs(cross(before, behind)) > kStraight * before.norm() * behind.norm())
+      corners.push_back(ring[i]);
+  }
+  return corners.size() < 3 ? ring : corners;
 }
 
 // In halves, so that each edge goes through as few unions as it must.
@@ -136,6 +150,11 @@ void cut_holes(const Area& area, std::vector<Polygon>& simple) {
 }  // namespace
 
 PolygonArea oriented(PolygonArea area) {
+  std::vector<Polygon> rings{{area.outer}};
+  for (const auto& hole : area.holes) rings.push_back({hole});
+  for (const Polygon& ring : rings)
+    if (const std::string problem = validity_problem(ring); !problem.empty())
+      throw std::invalid_argument(problem);
   Area polygon = area_of(area);
   bg::correct(polygon);
   std::string reason;
@@ -157,7 +176,12 @@ std::vector<PolygonArea> united(const std::vector<Polygon>& polygons) {
   std::vector<Area> areas;
   for (const Polygon& polygon : polygons) areas.push_back(area_of(polygon));
   std::vector<PolygonArea> together;
-  for (const Area& area : united(std::move(areas))) together.push_back(area_of(area));
+  for (const Area& area : united(std::move(areas))) {
+    PolygonArea found = area_of(area);
+    found.outer = without_straight_corners(found.outer);
+    for (auto& hole : found.holes) hole = without_straight_corners(hole);
+    together.push_back(std::move(found));
+  }
   return together;
 }
 

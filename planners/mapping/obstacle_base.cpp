@@ -77,10 +77,7 @@ void ObstacleBase::read_and_represent(const Scan& scan, PointId first_new) {
     bool stored_now = false;
     if (next.point == PointIndex::kNone ||
         !(distance_sq(p, packed(points_[next.point])) < thinning_sq)) {
-      const Vec2 p_world{p[0], p[1]};
-      next = {points_.nearest_closer_than(p_world, thinning_m)};
-      stored_now = next.point == PointIndex::kNone;
-      if (stored_now) next.point = store(p_world);
+      next = represented(p, stored_now);
       followers_[left_behind] = next;
     }
     current = packed(points_[next.point]);
@@ -96,6 +93,14 @@ void ObstacleBase::read_and_represent(const Scan& scan, PointId first_new) {
     representatives_[representative_count_++] = {static_cast<std::uint32_t>(beam), next.point,
                                                  stored_now};
   });
+}
+
+ObstacleBase::Follower ObstacleBase::represented(PackedPoint p, bool& stored_now) {
+  const Vec2 p_world{p[0], p[1]};
+  Follower found{points_.nearest_closer_than(p_world, config_.thinning_distance_m)};
+  stored_now = found.point == PointIndex::kNone;
+  if (stored_now) found.point = store(p_world);
+  return found;
 }
 
 PointId ObstacleBase::store(const Vec2& p) {

@@ -91,6 +91,8 @@ class ObstacleBase {
 
   std::uint64_t version() const { return points_at_version_.size() - 1; }
   void read_and_represent(const Scan& scan, PointId first_new);
+  // The known point closer than the thinning distance, or else p itself, stored now.
+  Follower represented(PackedPoint p, bool& stored_now);
   [[gnu::noinline]] PointId store(const Vec2& p);
 
   ObstacleBaseConfig config_;

@@ -49,7 +49,7 @@ Plan ask_for_plan(ob::Planner& planner, const PlannerTraits& traits, PlanningPro
       traits.plans_on_every_scan && solved == ob::PlannerStatus::APPROXIMATE_SOLUTION;
   const SolutionPath found =
       solution_path(solved, *problem.definition(), *problem.space_information()->getStateSpace(),
-                    problem.request(), problem.geometry());
+                    problem.request(), next_leg ? nullptr : &problem.geometry());
   if (next_leg && found.p_world.empty())
     throw std::runtime_error("the planner says that it has a next leg but has added no path");
 

@@ -128,6 +128,12 @@ bool ends_at_first(const ob::Planner& planner, PlanningBudget::Stop stop) {
   return stop == PlanningBudget::Stop::first && planner.getSpecs().optimizingPaths;
 }
 
+SolveEnd end_of(ob::PlannerStatus status, bool first, const BudgetMeter& meter) {
+  if (const auto spent = meter.ran_out()) return *spent;
+  return first && status == ob::PlannerStatus::EXACT_SOLUTION ? SolveEnd::first_solution
+                                                              : SolveEnd::planner;
+}
+
 }  // namespace
 
 void set_up(ob::Planner& planner, PlanningBudget::Stop stop) {
@@ -150,13 +156,9 @@ SolveReport solve_within(ob::Planner& planner, const BudgetMeter& meter,
           return first && std::isfinite(cost_in(best_cost()));
         }));
   }
-  SolveReport report{planner.solve(condition), SolveEnd::planner};
+  const ob::PlannerStatus status = planner.solve(condition);
   if (best_cost && improvements != nullptr) note(best_cost(), meter, *improvements);
-  if (const auto spent = meter.ran_out())
-    report.end = *spent;
-  else if (first && report.status == ob::PlannerStatus::EXACT_SOLUTION)
-    report.end = SolveEnd::first_solution;
-  return report;
+  return {status, end_of(status, first, meter)};
 }
 
 }  // namespace voronaut

@@ -12,7 +12,7 @@ namespace ob = ompl::base;
 
 SolutionPath solution_path(const ob::PlannerStatus& status, const ob::ProblemDefinition& problem,
                            const ob::StateSpace& space, const PathRequest& request,
-                           const KnownGeometry& geometry) {
+                           const KnownGeometry* geometry) {
   SolutionPath solution;
   const auto* path =
       dynamic_cast<const ompl::geometric::PathGeometric*>(problem.getSolutionPath().get());
@@ -27,7 +27,10 @@ SolutionPath solution_path(const ob::PlannerStatus& status, const ob::ProblemDef
   }
   if (!exact && status != ob::PlannerStatus::APPROXIMATE_SOLUTION) return solution;
   const std::string flaw = flaw_of(solution.p_world, request);
-  solution.to_goal = flaw.empty() && (exact || is_clear(solution.p_world, request, geometry));
+  const auto clear = [&] {
+    return geometry != nullptr && is_clear(solution.p_world, request, *geometry);
+  };
+  solution.to_goal = flaw.empty() && (exact || clear());
   if (exact) solution.flaw = flaw;
   return solution;
 }

@@ -20,7 +20,8 @@ struct SolutionPath {
 
 // An approximate solution is a path to the goal if it ends there and all of it is clear: OMPL's PRM
 // and PRMstar call a complete path so when the budget is spent before their second thread has seen
-// it. An exact one may still lead through what `geometry` knows: is_clear() tells.
+// it. Without `geometry` none is looked at so. An exact one may still lead through what is known:
+// is_clear() tells.
 //
 // Throws std::runtime_error, which says what the planner did wrong, if it claims an exact solution
 // and has added none, or if a position of its path is no place (is_place()). `space` is the
@@ -28,6 +29,6 @@ struct SolutionPath {
 SolutionPath solution_path(const ompl::base::PlannerStatus& status,
                            const ompl::base::ProblemDefinition& problem,
                            const ompl::base::StateSpace& space, const PathRequest& request,
-                           const KnownGeometry& geometry);
+                           const KnownGeometry* geometry);
 
 }  // namespace voronaut

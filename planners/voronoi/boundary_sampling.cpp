@@ -11,6 +11,21 @@ constexpr int kHalvings = 6;
 // last step of the halving, and some.
 constexpr double kClearancePerCell = 0.75;
 
+// A point of the border between two neighbours of which one is valid: the last invalid one of the
+// halving.
+void halve_if_different(bool valid_a, Vec2 a, bool valid_b, Vec2 b,
+                        const std::function<bool(const Vec2&)>& is_valid,
+                        std::vector<Vec2>& border) {
+  if (valid_a == valid_b) return;
+  Vec2& valid = valid_a ? a : b;
+  Vec2& invalid = valid_a ? b : a;
+  for (int k = 0; k < kHalvings; ++k) {
+    const Vec2 middle = 0.5 * (valid + invalid);
+    (is_valid(middle) ? valid : invalid) = middle;
+  }
+  border.push_back(invalid);
+}
+
 }  // namespace
 
 BoundarySamples sample_boundary(const std::function<bool(const Vec2&)>& is_valid,
@@ -24,15 +39,8 @@ BoundarySamples sample_boundary(const std::function<bool(const Vec2&)>& is_valid
   const auto node = [&](int i, int j) -> Vec2 {
     return (area.min + cell_m * Vec2(i, j)).cwiseMin(area.max);
   };
-  const auto halve = [&](Vec2 valid, Vec2 invalid) {
-    for (int k = 0; k < kHalvings; ++k) {
-      const Vec2 middle = 0.5 * (valid + invalid);
-      (is_valid(middle) ? valid : invalid) = middle;
-    }
-    samples.points.push_back(invalid);
-  };
   const auto compare = [&](bool valid_a, const Vec2& a, bool valid_b, const Vec2& b) {
-    if (valid_a != valid_b) valid_a ? halve(a, b) : halve(b, a);
+    halve_if_different(valid_a, a, valid_b, b, is_valid, samples.points);
   };
 
   std::vector<char> below, row(columns + 1);

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <limits>
 
+#include "voronaut/planners/voronoi/clipping.h"
+
 namespace voronaut {
 namespace {
 
@@ -88,15 +90,10 @@ ChannelSearch::Gate ChannelSearch::gate(HalfEdgeId h) const {
   g.left_corner = !d.is_frame(a);
   g.right_corner = !d.is_frame(b);
   for (int axis = 0; axis < 2; ++axis) {
-    if (across[axis] == 0) {
-      if (left[axis] < domain_.min[axis] || left[axis] > domain_.max[axis]) return g;
-      continue;
-    }
-    double near = (domain_.min[axis] - left[axis]) / across[axis];
-    double far = (domain_.max[axis] - left[axis]) / across[axis];
-    if (near > far) std::swap(near, far);
-    if (near > from) from = near, g.left_corner = false;
-    if (far < to) to = far, g.right_corner = false;
+    const auto inside = clipped(left[axis], across[axis], domain_.min[axis], domain_.max[axis]);
+    if (!inside) return g;
+    if (inside->first > from) from = inside->first, g.left_corner = false;
+    if (inside->second < to) to = inside->second, g.right_corner = false;
   }
   g.open = from <= to;
   g.left = left + from * across;
@@ -137,16 +134,13 @@ void ChannelSearch::cross(std::int32_t index, HalfEdgeId exit) {
   const Node node = nodes_[index];
   const auto [from, to, beside_left, beside_right, in_cone] = visible_part(
       node.left - node.root, node.right - node.root, g.left - node.root, g.right - node.root);
-  const auto at = [&](double t) -> Vec2 {
-    return t <= 0 ? g.left : t >= 1 ? g.right : Vec2(g.left + t * (g.right - g.left));
-  };
   if (in_cone) {
     Node child = node;
     child.gate = exit;
     child.parent = index;
     child.bend = Bend::none;
-    child.left = at(from);
-    child.right = at(to);
+    child.left = g.at(from);
+    child.right = g.at(to);
     child.left_corner = from <= 0 && g.left_corner;
     child.right_corner = to >= 1 && g.right_corner;
     push(child);
@@ -155,7 +149,7 @@ void ChannelSearch::cross(std::int32_t index, HalfEdgeId exit) {
     Node child = node;
     child.gate = exit;
     child.left = g.left;
-    child.right = at(from);
+    child.right = g.at(from);
     child.left_corner = g.left_corner;
     child.right_corner = from >= 1 && g.right_corner;
     if (turn(child, index, Bend::left)) push(child);
@@ -163,7 +157,7 @@ void ChannelSearch::cross(std::int32_t index, HalfEdgeId exit) {
   if (beside_right && node.right_corner) {
     Node child = node;
     child.gate = exit;
-    child.left = at(to);
+    child.left = g.at(to);
     child.right = g.right;
     child.left_corner = to <= 0 && g.left_corner;
     child.right_corner = g.right_corner;

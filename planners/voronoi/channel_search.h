@@ -53,6 +53,11 @@ class ChannelSearch {
     bool left_corner;  // an end on a site's circle, around which a path may bend
     bool right_corner;
     bool open;
+
+    Vec2 at(double t) const {
+      if (t <= 0) return left;
+      return t >= 1 ? right : Vec2(left + t * (right - left));
+    }
   };
 
   struct Node {

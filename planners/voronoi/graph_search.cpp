@@ -25,32 +25,39 @@ bool GraphSearch::run(const VoronoiGraph& graph, std::span<const Terminal> start
   parent_.assign(end + 1, kUnseen);
   heap_.clear();
   expanded_ = 0;
-  const auto offer = [&](VertexId v, double cost_m, VertexId parent) {
-    if (parent_[v] != kUnseen && cost_m >= cost_m_[v]) return;
-    parent_[v] = parent;
-    cost_m_[v] = cost_m;
-    push(cost_m + (v == end ? 0 : (graph.vertices()[v] - goal).norm()), cost_m, v);
-  };
-  for (const Terminal& start : starts) offer(start.vertex, start.cost_m, -1);
+  for (const Terminal& start : starts) offer(graph, goal, start.vertex, start.cost_m, -1);
   while (!heap_.empty()) {
     const Entry top = pop();
     if (top.cost_m > cost_m_[top.vertex]) continue;
     if (top.vertex == end) break;
     ++expanded_;
     for (const auto& [v, length_m] : graph.neighbours(top.vertex))
-      offer(v, top.cost_m + length_m, top.vertex);
+      offer(graph, goal, v, top.cost_m + length_m, top.vertex);
     for (const Terminal& each : goals)
-      if (each.vertex == top.vertex) offer(end, top.cost_m + each.cost_m, top.vertex);
+      if (each.vertex == top.vertex) offer(graph, goal, end, top.cost_m + each.cost_m, top.vertex);
   }
-  if (parent_[end] == kUnseen) return false;
+  if (!reached(end)) return false;
 
   result.cost_m = cost_m_[end];
-  result.vertices.clear();
-  for (VertexId v = parent_[end]; v >= 0; v = parent_[v]) result.vertices.push_back(v);
-  std::reverse(result.vertices.begin(), result.vertices.end());
+  trace(end, result.vertices);
   result.start = cheapest(starts, result.vertices.front());
   result.goal = cheapest(goals, result.vertices.back());
   return true;
+}
+
+void GraphSearch::offer(const VoronoiGraph& graph, const Vec2& goal, VertexId v, double cost_m,
+                        VertexId parent) {
+  if (reached(v) && cost_m >= cost_m_[v]) return;
+  parent_[v] = parent;
+  cost_m_[v] = cost_m;
+  const bool at_goal = static_cast<std::size_t>(v) == graph.vertices().size();
+  push(cost_m + (at_goal ? 0 : (graph.vertices()[v] - goal).norm()), cost_m, v);
+}
+
+void GraphSearch::trace(VertexId end, std::vector<VertexId>& vertices) const {
+  vertices.clear();
+  for (VertexId v = parent_[end]; v >= 0; v = parent_[v]) vertices.push_back(v);
+  std::reverse(vertices.begin(), vertices.end());
 }
 
 void GraphSearch::push(double estimate_m, double cost_m, VertexId v) {

@@ -44,6 +44,10 @@ class GraphSearch {
     VertexId vertex;
   };
 
+  // A way to v, the goal itself if v is one more than the last vertex.
+  void offer(const VoronoiGraph& graph, const Vec2& goal, VertexId v, double cost_m,
+             VertexId parent);
+  void trace(VertexId end, std::vector<VertexId>& vertices) const;
   void push(double estimate_m, double cost_m, VertexId v);
   Entry pop();
 

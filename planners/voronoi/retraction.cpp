@@ -89,13 +89,15 @@ std::vector<Lead> leads(const VoronoiGraph& graph, const Retraction& r, const Ve
   return found;
 }
 
-std::vector<Lead> relaxed_leads(const DelaunayTriangulation& delaunay, const VoronoiGraph& graph,
-                                const Retraction& r, const Vec2& p,
-                                const MotionCheck& motion_is_clear) {
-  if (!motion_is_clear(p, r.landing)) return {};
-  // The cut diagram near p, as far as motion_is_clear admits it.
+namespace {
+
+using Neighbours = std::map<VertexId, std::vector<VertexId>>;
+
+// The cut diagram near p, as far as motion_is_clear admits it.
+Neighbours admitted_near(const Vec2& p, const DelaunayTriangulation& delaunay,
+                         const VoronoiGraph& graph, const MotionCheck& motion_is_clear) {
   const double reach_m = 2 * graph.radius_m();
-  std::map<VertexId, std::vector<VertexId>> admitted;
+  Neighbours admitted;
   const auto admit = [&](VertexId u, VertexId v) {
     const Vec2 &a = graph.vertices()[u], &b = graph.vertices()[v];
     if (u == v || distance(p, Segment{a, b}) > reach_m || !motion_is_clear(a, b)) return;
@@ -106,7 +108,16 @@ std::vector<Lead> relaxed_leads(const DelaunayTriangulation& delaunay, const Vor
   for (HalfEdgeId h = 0; h < half_edges; ++h)
     if (delaunay.twin(h) < h && graph.dual(h)[0] >= 0) admit(graph.dual(h)[0], graph.dual(h)[1]);
   for (const VoronoiGraph::BorderPiece& piece : graph.border()) admit(piece.from, piece.to);
+  return admitted;
+}
 
+}  // namespace
+
+std::vector<Lead> relaxed_leads(const DelaunayTriangulation& delaunay, const VoronoiGraph& graph,
+                                const Retraction& r, const Vec2& p,
+                                const MotionCheck& motion_is_clear) {
+  if (!motion_is_clear(p, r.landing)) return {};
+  Neighbours admitted = admitted_near(p, delaunay, graph, motion_is_clear);
   std::vector<Lead> found;
   for (const VertexId v : r.ends)
     if (motion_is_clear(r.landing, graph.vertices()[v]))

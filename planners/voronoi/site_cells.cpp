@@ -63,32 +63,50 @@ std::int32_t SiteCells::deepest_within(const Vec2& a, const Vec2& b, double radi
   return deepest;
 }
 
+namespace {
+
+struct Span {
+  double left, right;
+};
+
+// Narrowed to the part of a segment, given by its lower end and slope, between two heights.
+Span between(const Span& x, const Vec2& lower, double slope, double from, double to) {
+  const double x1 = lower.x() + slope * (from - lower.y());
+  const double x2 = lower.x() + slope * (to - lower.y());
+  return {std::max(x.left, std::min(x1, x2)), std::min(x.right, std::max(x1, x2))};
+}
+
+}  // namespace
+
 template <class F>
 void SiteCells::for_each_near(const Vec2& a, const Vec2& b, double radius_m, F&& f) const {
-  const Vec2& lower = a.y() <= b.y() ? a : b;
-  const Vec2& upper = a.y() <= b.y() ? b : a;
+  const auto [lower, upper] =
+      std::minmax(a, b, [](const Vec2& p, const Vec2& q) { return p.y() < q.y(); });
   const double rise = upper.y() - lower.y();
   const double slope = rise > 0 ? (upper.x() - lower.x()) / rise : 0;
+  const Span whole{std::min(a.x(), b.x()), std::max(a.x(), b.x())};
   const int last_row = row(upper.y() + radius_m);
   for (int j = row(lower.y() - radius_m); j <= last_row; ++j) {
     // The part of the segment that is within radius_m of this row's height, padded for rounding.
-    double left = std::min(a.x(), b.x()), right = std::max(a.x(), b.x());
+    Span x = whole;
     if (rise > 0) {
       const double floor_y = min_.y() + j * cell_m_;
       const double from = j == 0 ? lower.y() : std::max(lower.y(), floor_y - radius_m);
       const double to =
           j == rows_ - 1 ? upper.y() : std::min(upper.y(), floor_y + cell_m_ + radius_m);
-      const double x1 = lower.x() + slope * (from - lower.y());
-      const double x2 = lower.x() + slope * (to - lower.y());
-      left = std::max(left, std::min(x1, x2));
-      right = std::min(right, std::max(x1, x2));
+      x = between(whole, lower, slope, from, to);
     }
     const double reach_m = radius_m + 1e-9;
-    const int last_column = column(right + reach_m);
-    for (int i = column(left - reach_m); i <= last_column; ++i)
-      for (std::int32_t k = head_[static_cast<std::size_t>(j) * columns_ + i]; k >= 0; k = next_[k])
-        if (!f(k)) return;
+    if (!visit_row(j, column(x.left - reach_m), column(x.right + reach_m), f)) return;
   }
+}
+
+template <class F>
+bool SiteCells::visit_row(int j, int first_column, int last_column, F&& f) const {
+  for (int i = first_column; i <= last_column; ++i)
+    for (std::int32_t k = head_[static_cast<std::size_t>(j) * columns_ + i]; k >= 0; k = next_[k])
+      if (!f(k)) return false;
+  return true;
 }
 
 int SiteCells::column(double x) const {

@@ -25,6 +25,9 @@ class SiteCells {
   // Calls f(index) for the points of all cells that the swept disc touches, until f returns false.
   template <class F>
   void for_each_near(const Vec2& a, const Vec2& b, double radius_m, F&& f) const;
+  // The same for a part of one row; false if f did.
+  template <class F>
+  bool visit_row(int j, int first_column, int last_column, F&& f) const;
   int column(double x) const;
   int row(double y) const;
 

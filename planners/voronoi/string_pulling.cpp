@@ -152,31 +152,35 @@ class StringPulling {
     return true;
   }
 
-  bool add_deepest() {
-    double deepest_m = kTouch_m;
+  // A site that the string cuts off, and where among the contacts it belongs; 0: none.
+  struct Cut {
+    double depth_m = kTouch_m;
     std::size_t where = 0;
-    Contact cut{};
+    Contact contact{};
+  };
+
+  bool add_deepest() {
+    if (channel_.gates.empty()) return false;
+    Cut deepest;
     for (std::size_t i = 0; i < straights_.size(); ++i) {
-      if (channel_.gates.empty()) break;
       for (std::size_t k = contacts_[i].gate; k <= contacts_[i + 1].gate; ++k) {
         if (!crosses(i, channel_.gates[k])) continue;
-        for (const bool on_left : {true, false}) {
-          const HalfEdgeId h = channel_.gates[k];
-          const SiteId site = gate_site(h, on_left);
-          if (around_.delaunay.is_frame(site) || is_contact(i, site, on_left) ||
-              is_contact(i + 1, site, on_left))
-            continue;
-          const double depth = depth_m(straights_[i], around_.delaunay.site(site), on_left);
-          if (depth <= deepest_m) continue;
-          deepest_m = depth;
-          where = i + 1;
-          cut = contact(site, on_left, k);
-        }
+        for (const bool on_left : {true, false}) deepen(deepest, i, k, on_left);
       }
     }
-    if (where == 0) return false;
-    contacts_.insert(contacts_.begin() + where, cut);
+    if (deepest.where == 0) return false;
+    contacts_.insert(contacts_.begin() + deepest.where, deepest.contact);
     return true;
+  }
+
+  // By the site at this end of gate k, if straight i cuts it off deeper.
+  void deepen(Cut& deepest, std::size_t i, std::size_t k, bool on_left) const {
+    const SiteId site = gate_site(channel_.gates[k], on_left);
+    if (around_.delaunay.is_frame(site) || is_contact(i, site, on_left) ||
+        is_contact(i + 1, site, on_left))
+      return;
+    const double depth = depth_m(straights_[i], around_.delaunay.site(site), on_left);
+    if (depth > deepest.depth_m) deepest = {depth, i + 1, contact(site, on_left, k)};
   }
 
   bool is_contact(std::size_t i, SiteId site, bool on_left) const {

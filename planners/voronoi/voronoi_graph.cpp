@@ -4,6 +4,8 @@
 #include <optional>
 #include <utility>
 
+#include "voronaut/planners/voronoi/clipping.h"
+
 namespace voronaut {
 namespace {
 
@@ -14,22 +16,16 @@ struct Cut {
   bool q_cut = false;
 };
 
-// The part of p-q inside the box (Liang and Barsky, https://doi.org/10.1145/357332.357333). An end
-// that was cut lies on the border exactly.
+// The part of p-q inside the box. An end that was cut lies on the border exactly.
 std::optional<Cut> cut_to(const Bounds& box, const Vec2& p, const Vec2& q) {
   const Vec2 along = q - p;
   double enter = 0, leave = 1;
   int enter_axis = -1, leave_axis = -1;
   for (int axis = 0; axis < 2; ++axis) {
-    if (along[axis] == 0) {
-      if (p[axis] < box.min[axis] || p[axis] > box.max[axis]) return std::nullopt;
-      continue;
-    }
-    double near = (box.min[axis] - p[axis]) / along[axis];
-    double far = (box.max[axis] - p[axis]) / along[axis];
-    if (near > far) std::swap(near, far);
-    if (near > enter) enter = near, enter_axis = axis;
-    if (far < leave) leave = far, leave_axis = axis;
+    const auto inside = clipped(p[axis], along[axis], box.min[axis], box.max[axis]);
+    if (!inside) return std::nullopt;
+    if (inside->first > enter) enter = inside->first, enter_axis = axis;
+    if (inside->second < leave) leave = inside->second, leave_axis = axis;
   }
   if (enter > leave) return std::nullopt;
   const auto at = [&](double t, int axis, bool entering) {

@@ -135,10 +135,8 @@ ob::PlannerStatus VoronoiRoadmap::solve_exactly(const KnownGeometry& known, bool
     return known.motion_is_clear(a, b);
   };
   const Bounds bounds = position_bounds(*si_->getStateSpace());
-  std::vector<Vec2> places;
-  for (const auto& states : {starts_, goals_})
-    for (const ob::State* state : states) places.push_back(position(state));
-  router_.observe(known.known_obstacles().points(), bounds, known.clearance_min_m(), places);
+  router_.observe(known.known_obstacles().points(), bounds, known.clearance_min_m(),
+                  starts_and_goals());
 
   Question answered{nullptr, nullptr, tolerance_m()};
   Route best;
@@ -148,10 +146,7 @@ ob::PlannerStatus VoronoiRoadmap::solve_exactly(const KnownGeometry& known, bool
     for (const ob::State* goal : goals_) {
       if (ptc()) return failure(kTimeout, false, ob::PlannerStatus::TIMEOUT);
       const Question question{start, goal, answered.tolerance_m};
-      Route route = ask(question, bounds, motion_is_clear, config_.shortening);
-      // The validator has the last word: it may know more than the geometry says.
-      if (!is_valid_path(start, route.points))
-        route = ask(question, bounds, motion_is_clear, Shortening::none);
+      Route route = ask_twice(question, bounds, motion_is_clear);
       if (!is_valid_path(start, route.points)) {
         proved = false;
         why = kRefused;
@@ -165,10 +160,28 @@ ob::PlannerStatus VoronoiRoadmap::solve_exactly(const KnownGeometry& known, bool
     }
   }
   if (!best.points.empty()) return report(answered, best);
-  const bool goal_valid = std::any_of(goals_.begin(), goals_.end(),
-                                      [this](const ob::State* g) { return si_->isValid(g); });
-  if (goal_valid) return failure(why, proved, ob::PlannerStatus::TIMEOUT);
+  if (any_valid_goal()) return failure(why, proved, ob::PlannerStatus::TIMEOUT);
   return failure(kGoalBlocked, proved, ob::PlannerStatus::INVALID_GOAL);
+}
+
+std::vector<Vec2> VoronoiRoadmap::starts_and_goals() const {
+  std::vector<Vec2> places;
+  for (const ob::State* start : starts_) places.push_back(position(start));
+  for (const ob::State* goal : goals_) places.push_back(position(goal));
+  return places;
+}
+
+bool VoronoiRoadmap::any_valid_goal() const {
+  return std::any_of(goals_.begin(), goals_.end(),
+                     [this](const ob::State* g) { return si_->isValid(g); });
+}
+
+// The validator has the last word: it may know more than the geometry says.
+Route VoronoiRoadmap::ask_twice(const Question& question, const Bounds& bounds,
+                                const MotionCheck& motion_is_clear) {
+  Route route = ask(question, bounds, motion_is_clear, config_.shortening);
+  if (is_valid_path(question.start, route.points)) return route;
+  return ask(question, bounds, motion_is_clear, Shortening::none);
 }
 
 Route VoronoiRoadmap::ask(const Question& question, const Bounds& bounds,
@@ -237,6 +250,16 @@ bool VoronoiRoadmap::is_valid_path(const ob::State* like, const std::vector<Vec2
   return valid;
 }
 
+namespace {
+
+unsigned add_on_path(ob::PlannerData& data, const ob::PlannerDataVertex& v, std::size_t i,
+                     std::size_t n) {
+  if (i == 0) return data.addStartVertex(v);
+  return i + 1 == n ? data.addGoalVertex(v) : data.addVertex(v);
+}
+
+}  // namespace
+
 void VoronoiRoadmap::getPlannerData(ob::PlannerData& data) const {
   Planner::getPlannerData(data);
   if (starts_.empty() || router_.delaunay().site_count() == 0) return;
@@ -269,9 +292,7 @@ void VoronoiRoadmap::getPlannerData(ob::PlannerData& data) const {
   unsigned previous = 0;
   for (std::size_t i = 0; i < solution_.size(); ++i) {
     const ob::PlannerDataVertex v(state_at(solution_[i]), kSolutionTag);
-    const unsigned index = i == 0                      ? data.addStartVertex(v)
-                           : i + 1 == solution_.size() ? data.addGoalVertex(v)
-                                                       : data.addVertex(v);
+    const unsigned index = add_on_path(data, v, i, solution_.size());
     if (i > 0) connect(previous, index, (solution_[i] - solution_[i - 1]).norm());
     previous = index;
   }

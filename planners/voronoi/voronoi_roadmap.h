@@ -90,6 +90,12 @@ class VoronoiRoadmap : public ompl::base::Planner, public PlannerInsight {
   ompl::base::PlannerStatus solve_by_sampling(const ompl::base::PlannerTerminationCondition& ptc);
   Route ask(const Question& question, const Bounds& bounds, const MotionCheck& motion_is_clear,
             Shortening shortening);
+  // The same without shortening where the validator refuses the short one.
+  Route ask_twice(const Question& question, const Bounds& bounds,
+                  const MotionCheck& motion_is_clear);
+  ompl::base::PlannerStatus solve_on_border(std::vector<Vec2>& border, double clearance_m,
+                                            const Bounds& bounds,
+                                            const ompl::base::PlannerTerminationCondition& ptc);
   Route ask_and_repair(const Question& question, const Bounds& bounds, double clearance_m,
                        std::vector<Vec2>& points,
                        const ompl::base::PlannerTerminationCondition& ptc);
@@ -97,6 +103,8 @@ class VoronoiRoadmap : public ompl::base::Planner, public PlannerInsight {
                                     ompl::base::PlannerStatus::StatusType otherwise);
   ompl::base::PlannerStatus report(const Question& question, const Route& route);
   Vec2 position(const ompl::base::State* state) const;
+  std::vector<Vec2> starts_and_goals() const;
+  bool any_valid_goal() const;
   bool is_valid_motion(const ompl::base::State* like, const Vec2& a, const Vec2& b) const;
   bool is_valid_path(const ompl::base::State* like, const std::vector<Vec2>& path) const;
   std::vector<Vec2> invalid_places(const ompl::base::State* like,

@@ -28,15 +28,7 @@ ob::PlannerStatus VoronoiRoadmap::solve_by_sampling(const ob::PlannerTermination
   ob::PlannerStatus status = ob::PlannerStatus::UNKNOWN;
   for (int cells = config_.boundary_cells; status == ob::PlannerStatus::UNKNOWN; cells *= 2) {
     BoundarySamples border = sample_boundary(is_valid, bounds, cells, [&ptc] { return ptc(); });
-    for (const ob::State* start : starts_) {
-      for (const ob::State* goal : goals_) {
-        if (ptc() || status) break;
-        const Question question{start, goal, 0};
-        const Route route =
-            ask_and_repair(question, bounds, border.clearance_m, border.points, ptc);
-        if (!route.points.empty()) status = report(question, route);
-      }
-    }
+    status = solve_on_border(border.points, border.clearance_m, bounds, ptc);
     if (status) break;
     if (ptc())
       status = failure(kTimeout, false, ob::PlannerStatus::TIMEOUT);
@@ -45,6 +37,20 @@ ob::PlannerStatus VoronoiRoadmap::solve_by_sampling(const ob::PlannerTermination
   }
   si_->freeState(probe);
   return status;
+}
+
+ob::PlannerStatus VoronoiRoadmap::solve_on_border(std::vector<Vec2>& border, double clearance_m,
+                                                  const Bounds& bounds,
+                                                  const ob::PlannerTerminationCondition& ptc) {
+  for (const ob::State* start : starts_) {
+    for (const ob::State* goal : goals_) {
+      if (ptc()) return ob::PlannerStatus::UNKNOWN;
+      const Question question{start, goal, 0};
+      const Route route = ask_and_repair(question, bounds, clearance_m, border, ptc);
+      if (!route.points.empty()) return report(question, route);
+    }
+  }
+  return ob::PlannerStatus::UNKNOWN;
 }
 
 // Where the validity check refuses a route, it has found an obstacle that the grid has missed: the

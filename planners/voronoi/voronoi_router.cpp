@@ -250,16 +250,10 @@ std::vector<Vec2> VoronoiRouter::shortened(Shortening how, const std::vector<Vec
 
 Route::Verdict VoronoiRouter::verdict_of_failure(const Approach& from, const Approach& to,
                                                  const Vec2& start, const Vec2& goal) {
-  if (!from.relaxed && from.leads.empty()) {
-    const bool close = to.relaxed && (is_close(from.retraction.sites[0], goal) ||
-                                      is_close(from.retraction.sites[1], goal));
-    return close ? Route::Verdict::unproven : Route::Verdict::start_closed;
-  }
-  if (!to.relaxed && to.leads.empty()) {
-    const bool close = from.relaxed && (is_close(to.retraction.sites[0], start) ||
-                                        is_close(to.retraction.sites[1], start));
-    return close ? Route::Verdict::unproven : Route::Verdict::goal_closed;
-  }
+  if (!from.relaxed && from.leads.empty())
+    return unless_hidden(Route::Verdict::start_closed, from, to, goal);
+  if (!to.relaxed && to.leads.empty())
+    return unless_hidden(Route::Verdict::goal_closed, to, from, start);
   if (!from.relaxed && !to.relaxed) return Route::Verdict::not_connected;
   if (from.relaxed && to.relaxed) return Route::Verdict::unproven;
   // One end has the full clearance: whatever is connected with it stays away from the other end's
@@ -268,6 +262,14 @@ Route::Verdict VoronoiRouter::verdict_of_failure(const Approach& from, const App
   const Vec2& relaxed = from.relaxed ? start : goal;
   search_.run(graph_, terminals(sound.leads), {}, relaxed, found_);
   return may_touch(relaxed) ? Route::Verdict::unproven : Route::Verdict::not_connected;
+}
+
+Route::Verdict VoronoiRouter::unless_hidden(Route::Verdict verdict, const Approach& closed,
+                                            const Approach& other, const Vec2& other_end) const {
+  const auto& sites = closed.retraction.sites;
+  const bool close =
+      other.relaxed && (is_close(sites[0], other_end) || is_close(sites[1], other_end));
+  return close ? Route::Verdict::unproven : verdict;
 }
 
 // Points of the disc of one clearance around p retract onto edges of cells that intersect it; the

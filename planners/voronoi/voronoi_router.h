@@ -105,6 +105,10 @@ class VoronoiRouter {
   std::vector<Vec2> shortened(Shortening how, const std::vector<Vec2>& path);
   Route::Verdict verdict_of_failure(const Approach& from, const Approach& to, const Vec2& start,
                                     const Vec2& goal);
+  // Of an end without leads: `verdict`, unless the relaxed other end is so close that it may hide
+  // one.
+  Route::Verdict unless_hidden(Route::Verdict verdict, const Approach& closed,
+                               const Approach& other, const Vec2& other_end) const;
   bool leads_to_reached(const Approach& a) const;
   bool may_touch(const Vec2& p) const;
   bool is_close(SiteId s, const Vec2& p) const;

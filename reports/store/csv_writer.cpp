@@ -23,9 +23,12 @@ std::string records_to_csv(const std::vector<RunRecord>& records) {
   csv += "\r\n";
   for (const RunRecord& record : records) {
     std::string line;
-    for (const RecordColumn& column : record_columns())
+    for (const RecordColumn& column : record_columns()) {
+      const bool is_text = std::holds_alternative<std::string RunRecord::*>(column.member);
+      const std::string cell = cell_text(record, column);
       line +=
-          (&column == &record_columns().front() ? "" : ",") + csv_field(cell_text(record, column));
+          (&column == &record_columns().front() ? "" : ",") + (is_text ? csv_field(cell) : cell);
+    }
     csv += line + "\r\n";
   }
   return csv;

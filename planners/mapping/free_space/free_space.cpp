@@ -173,14 +173,7 @@ void FreeSpace::draw_edge(const Vec2& from, const Vec2& to) {
   const bool rising = from.y() <= to.y();
   const Vec2 &a = rising ? from : to, &b = rising ? to : from;
   const int first = floor_of(a.y()), last = floor_of(b.y());
-  if (first == last) {  // most edges are shorter than a cell
-    if (first < window_.first_row || first >= window_.first_row + window_.rows) return;
-    touch(first, a.x(), b.x());
-    const double middle = first + 0.5;
-    if (a.y() <= middle && middle < b.y())
-      cross_middle(first, a.x() + (middle - a.y()) / (b.y() - a.y()) * (b.x() - a.x()));
-    return;
-  }
+  if (first == last) return draw_in_row(first, a, b);  // most edges are shorter than a cell
   const double slope = (b.x() - a.x()) / (b.y() - a.y());
   const auto x_at = [&](double y) { return a.x() + (y - a.y()) * slope; };
   const int first_drawn = std::max(first, window_.first_row);
@@ -193,6 +186,14 @@ void FreeSpace::draw_edge(const Vec2& from, const Vec2& to) {
     const double middle = row + 0.5;
     if (a.y() <= middle && middle < b.y()) cross_middle(row, x_at(middle));
   }
+}
+
+void FreeSpace::draw_in_row(int row, const Vec2& a, const Vec2& b) {
+  if (row < window_.first_row || row >= window_.first_row + window_.rows) return;
+  touch(row, a.x(), b.x());
+  const double middle = row + 0.5;
+  if (a.y() <= middle && middle < b.y())
+    cross_middle(row, a.x() + (middle - a.y()) / (b.y() - a.y()) * (b.x() - a.x()));
 }
 
 // The outline runs through this row between two abscissas.
@@ -220,7 +221,7 @@ void FreeSpace::commit_window() {
     std::uint64_t carry = 0;  // all ones while inside
     for (int w = 0; w < window_.words; ++w) {
       const std::uint64_t inside = parity[w] == 0 ? carry : running_parity(parity[w]) ^ carry;
-      carry = inside >> (kWordBits - 1) ? ~0ULL : 0;
+      carry = 0 - (inside >> (kWordBits - 1));
       const int word = window_.first_word + w;
       if (word < 0 || word >= words_per_row_) continue;
       std::uint64_t seen = inside & ~touched[w];

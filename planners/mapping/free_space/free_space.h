@@ -71,6 +71,7 @@ class FreeSpace {
   void trace_star(const Scan& scan);
   bool open_window();
   void draw_edge(const Vec2& from, const Vec2& to);
+  void draw_in_row(int row, const Vec2& a, const Vec2& b);
   void touch(int row, double x, double x_other);
   void cross_middle(int row, double x);
   void commit_window();

@@ -50,6 +50,17 @@ void reduce_to_convex_hull(std::vector<Vec2>& points) {
 
 namespace {
 
+// Around a polygon of n vertices.
+std::size_t next(std::size_t i, std::size_t n) { return i + 1 == n ? 0 : i + 1; }
+std::size_t previous(std::size_t i, std::size_t n) { return (i == 0 ? n : i) - 1; }
+
+void begin_with_smallest(std::vector<Vec2>& hull, std::size_t& vertex) {
+  const auto smallest = std::min_element(hull.begin(), hull.end(), lexicographically_less);
+  const auto before = static_cast<std::size_t>(smallest - hull.begin());
+  vertex = vertex >= before ? vertex - before : vertex + hull.size() - before;
+  std::rotate(hull.begin(), smallest, hull.end());
+}
+
 // A point, or two in order, or three collinear ones of which the middle one falls, or a triangle.
 bool add_to_small_hull(std::vector<Vec2>& hull, const Vec2& p) {
   if (hull.size() == 2) {
@@ -83,16 +94,15 @@ bool add_to_convex_hull(std::vector<Vec2>& hull, const Vec2& p, std::size_t& ver
   if (n < 3) return add_to_small_hull(hull, p);
   // Edge i goes from vertex i - 1 to vertex i.
   const auto turn_at_edge = [&](std::size_t i) {
-    return orientation(hull[i == 0 ? n - 1 : i - 1], hull[i], p);
+    return orientation(hull[previous(i, n)], hull[i], p);
   };
-  const auto next = [n](std::size_t i) { return i + 1 == n ? 0 : i + 1; };
   std::size_t first = vertex < n ? vertex : 0;
-  for (std::size_t asked = 0; turn_at_edge(first) >= 0; first = next(first)) {
+  for (std::size_t asked = 0; turn_at_edge(first) >= 0; first = next(first, n)) {
     if (++asked == n) return false;
   }
   std::size_t last = first;
-  while (turn_at_edge(next(last)) <= 0) last = next(last);
-  while (turn_at_edge(first == 0 ? n - 1 : first - 1) <= 0) first = first == 0 ? n - 1 : first - 1;
+  while (turn_at_edge(next(last, n)) <= 0) last = next(last, n);
+  while (turn_at_edge(previous(first, n)) <= 0) first = previous(first, n);
   const auto at = [&hull](std::size_t i) { return hull.begin() + static_cast<std::ptrdiff_t>(i); };
   // Vertices first .. last - 1 fall, counted around the polygon; p takes the place of the first.
   vertex = first;
@@ -109,10 +119,7 @@ bool add_to_convex_hull(std::vector<Vec2>& hull, const Vec2& p, std::size_t& ver
   }
   // Only p or the loss of vertex 0 can have changed which vertex is the smallest.
   if (first <= last && first != 0 && lexicographically_less(hull[0], p)) return true;
-  const auto smallest = std::min_element(hull.begin(), hull.end(), lexicographically_less);
-  const auto before = static_cast<std::size_t>(smallest - hull.begin());
-  vertex = vertex >= before ? vertex - before : vertex + hull.size() - before;
-  std::rotate(hull.begin(), smallest, hull.end());
+  begin_with_smallest(hull, vertex);
   return true;
 }
 

@@ -89,6 +89,8 @@ inline std::size_t ScanReturns::behind_misses(std::span<const double> range_m, d
 // a run: the return before it is closer than the thinning distance to that one, and so are those
 // between.
 template <class Visit>
+// One pass over the beams, the hottest loop of the map: parts of it cost a call or a second pass.
+// NOLINTNEXTLINE(readability-function-cognitive-complexity)
 void ScanReturns::read(const Scan& scan, Visit visit) {
   begin(scan);
   const std::size_t n = scan.size();

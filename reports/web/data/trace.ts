@@ -1,4 +1,4 @@
-// Traces as columns of SI numbers (reports/page/trace_json.h).
+// Traces as columns of SI numbers (reports/trace/trace_json.h).
 import type { Report } from "./data";
 
 export interface Frames {

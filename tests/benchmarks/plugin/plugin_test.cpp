@@ -108,7 +108,7 @@ TEST_F(Plugin, APlannerThatComputesForEverIsStoppedByItsCpuLimit) {
 // What case by case once lost results, whatever the system allows: rows of others stay.
 TEST_F(Plugin, APlannerThatAttacksTheResultsLosesNoRowOfOthers) {
   write("attack.yaml",
-        "suite: attack\nkind: known\nplanners: [{name: RRTConnect, label: first}, WritesToThree, "
+        "suite: attack\nplanners: [{name: RRTConnect, label: first}, WritesToThree, "
         "UnlinksDatabase, KillsParent, {name: RRTConnect, label: last}]\n" +
             kOpen);
   run(VORONAUT_PROGRAM, "run attack.yaml --jobs 1 --out attacked" + kHostile);
@@ -116,7 +116,7 @@ TEST_F(Plugin, APlannerThatAttacksTheResultsLosesNoRowOfOthers) {
   ASSERT_EQ(found.size(), 5U) << said();
   EXPECT_THAT(found.at("open/first"), StartsWith("goal_reached"));
   EXPECT_THAT(found.at("open/last"), StartsWith("goal_reached"));
-  EXPECT_THAT(found.at("open/WritesToThree"), StartsWith("timeout"));
+  EXPECT_THAT(found.at("open/WritesToThree"), ::testing::Not(StartsWith("crash")));
 }
 
 TEST_F(Plugin, AClaimThatIsNotTrueIsNoSuccessInAStaticTrial) {

@@ -2,6 +2,7 @@
 
 #include <csignal>
 #include <cstdlib>
+#include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <map>
@@ -36,12 +37,12 @@ FlyTrial calm() {
   return [](const TrialSpec& spec, bool) { return made_up_flight(spec); };
 }
 
-// Hardly touched, which costs hardly any time; a sanitized build counts what is touched alone.
+// A part of each block is touched: a sanitized build counts that alone.
 [[noreturn]] void hoard_memory() {
   std::vector<char*> hoard;
   while (true) {
     hoard.push_back(new char[1U << 24U]);
-    hoard.back()[0] = 'x';
+    std::memset(hoard.back(), 'x', 1U << 20U);
   }
 }
 

@@ -202,6 +202,9 @@ TEST(SuiteConfig, SaysInOneLineWhatIsWrong) {
        "'-1'"},
       {suite_with("vehicles", "[{name: quadrotor, params: {planning_clearance_m: 0.2}}]"),
        "s.yaml:3: key 'vehicles[0]': planning_clearance_m 0.2 is less than body_radius_m 0.25"},
+      {suite_with("vehicles", "[{name: quadrotor, params: {clearance_min_m: 0.4}}]"),
+       "s.yaml:3: key 'vehicles[0].params.clearance_min_m': 'clearance_min_m' is now "
+       "'planning_clearance_m'"},
       {suite_with("vehicles", "[{name: quadrotor, regulator: ideal}]"),
        "s.yaml:3: key 'vehicles[0].regulator': regulator 'ideal' drives the model ideal, which "
        "vehicle 'quadrotor' is not"},

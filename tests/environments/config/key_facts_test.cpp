@@ -26,7 +26,7 @@ struct OuterConfig {
   double heading_rad = std::numeric_limits<double>::quiet_NaN();
   bool clockwise = true;
   Cut cut = Cut::columns;
-  InnerConfig inner;
+  InnerConfig inner = {};
   Counts counts = Counts::checks;
   int checks = 5;
   double wall_s = 0.5;

@@ -327,10 +327,11 @@ TEST(SdfWorld, IsRefusedWithTheLineAndTheReason) {
   EXPECT_EQ(sdf_error(""), "w.world:1: no <world> in <sdf>");
   EXPECT_EQ(sdf_error("<model/>"), "w.world:1: no <world> in <sdf>");
   EXPECT_EQ(sdf_error("<sdf>\n<world>\n"),
-            "w.world:2: not valid XML: an element does not end, or another one ends in its place");
+            "w.world:2: not valid XML: a tag or an element does not end");
   EXPECT_EQ(sdf_error("<sdf>\n<world>\n</sdf>"),
             "w.world:2: not valid XML: an element does not end, or another one ends in its place");
-  EXPECT_EQ(sdf_error("<sdf>\n<world"), "w.world:2: not valid XML: a tag does not end, or is none");
+  EXPECT_EQ(sdf_error("<sdf>\n<world"),
+            "w.world:2: not valid XML: a tag or an element does not end");
   EXPECT_EQ(sdf_error("<sdf>\n<world name='>"),
             "w.world:2: not valid XML: an attribute without a value in quotes");
   EXPECT_EQ(sdf_error("<sdf>\n<!-- world"),

@@ -34,7 +34,9 @@ const std::map<std::string, std::string> kMessages = {
     {"bounds_inside_out.yaml",
      "bounds_inside_out.yaml:2: key 'bounds': expected [[xmin, ymin], [xmax, ymax]] with xmin < "
      "xmax and ymin < ymax"},
-    {"bow_tie.yaml", "bow_tie.yaml:4: key 'world.polygons[1]': crosses itself: edges 0 and 2 meet"},
+    {"bow_tie.yaml",
+     "bow_tie.yaml:4: key 'world.polygons[1]': has invalid self-intersections. A self-intersection "
+     "point was found at (4, 2)"},
     {"box_inside_out.yaml",
      "box_inside_out.yaml:1: key 'world.boxes[0]': expected [xmin, ymin, xmax, ymax] with xmin < "
      "xmax and ymin < ymax"},
@@ -60,7 +62,9 @@ const std::map<std::string, std::string> kMessages = {
     {"empty.yaml", "empty.yaml:1: the file is empty"},
     {"file_of_file.yaml",
      "file_of_file.yaml:1: key 'file': a scenario file cannot name another one"},
-    {"flat_polygon.yaml", "flat_polygon.yaml:1: key 'world.polygons[0]': folds back at vertex 2"},
+    {"flat_polygon.yaml",
+     "flat_polygon.yaml:1: key 'world.polygons[0]': has spikes. A spike point was found with apex "
+     "at (3, 3)"},
     {"generator_crossing.yaml",
      "generator_crossing.yaml:1: key 'generator.crossing': expected one of corners, sides, got "
      "'corner' (did you mean 'corners'?)"},
@@ -147,7 +151,7 @@ const std::map<std::string, std::string> kMessages = {
      "thin_posts, enclosed_goal, got 'forrest' (did you mean 'forest'?)"},
     {"unknown_shape.yaml",
      "unknown_shape.yaml:2: key 'world.circels': unknown key (allowed: circles, boxes, polygons, "
-     "segments; did you mean 'circles'?)"},
+     "segments, wkt; did you mean 'circles'?)"},
     {"wrong_type_start.yaml", "wrong_type_start.yaml:3: key 'start': expected [x, y], got 'here'"},
     {"world_file_bad_cell.yaml",
      "files/bad_cell.map:6: column 2: expected one of .GS@OTW, got 'x'"},
@@ -157,7 +161,7 @@ const std::map<std::string, std::string> kMessages = {
      "files/bad_query.scen:2: goal x: expected a whole number from 0 to 2, got '3'"},
     {"world_file_format.yaml",
      "world_file_format.yaml:2: key 'format': expected one of movingai, ros_map, sdf, pathbench, "
-     "ir_sim, dodgedrone, ompl_circles, ompl_env, circles_csv, got 'moving_ai' (did you mean "
+     "ir_sim, dodgedrone, ompl_circles, ompl_env, wkt, circles_csv, got 'moving_ai' (did you mean "
      "'movingai'?)"},
     {"world_file_no_query.yaml",
      "world_file_no_query.yaml:2: key 'queries.pick[0]': no query '7' among the 1 of the file"},
@@ -170,7 +174,7 @@ const std::map<std::string, std::string> kMessages = {
      "world_file_start_and_queries.yaml:3: key 'start': cannot stand beside 'queries'"},
     {"world_file_unrecognised.yaml",
      "files/unknown.txt:1: not recognised as one of the formats movingai, ros_map, sdf, pathbench, "
-     "ir_sim, dodgedrone, ompl_circles, ompl_env, circles_csv; name its format"},
+     "ir_sim, dodgedrone, ompl_circles, ompl_env, wkt, circles_csv; name its format"},
     {"zero_radius.yaml",
      "zero_radius.yaml:1: key 'world.circles[0][2]': expected a number from 0.001 to 1000, got "
      "'0'"},

@@ -101,7 +101,8 @@ TEST(ShapeIndex, HoldsOneOfEqualCircles) {
   for (const double x : {3.0, 1.0, 3.0, 2.0, 1.0}) shapes.circles.push_back({{x, 1}, 0.5});
   shapes.circles.push_back({{2, 1}, 0.25});
   std::vector<double> x_m;
-  for (const Circle& circle : ShapeIndex(shapes).circles()) x_m.push_back(circle.center.x());
+  const ShapeIndex index(shapes);
+  for (const Circle& circle : index.circles()) x_m.push_back(circle.center.x());
   EXPECT_EQ(x_m, (std::vector<double>{3, 1, 2, 2}));
 }
 

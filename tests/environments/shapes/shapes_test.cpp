@@ -125,11 +125,14 @@ TEST(Shapes, ValidatedNamesWhatIsWrong) {
   EXPECT_THAT(polygon({{0, 0}, {1, 0}}), HasSubstr("fewer than 3"));
   EXPECT_THAT(polygon({{0, 0}, {1, 0}, {1, nan}}), HasSubstr("coordinate"));
   EXPECT_THAT(polygon({{0, 0}, {1, 0}, {1, 0}, {0, 1}}), HasSubstr("repeats vertex 1"));
-  EXPECT_THAT(polygon({{0, 0}, {1, 0}, {2, 0}}), HasSubstr("folds back"));
-  EXPECT_THAT(polygon({{0, 0}, {4, 0}, {2, 0}, {2, 2}}), HasSubstr("folds back at vertex 1"));
-  EXPECT_THAT(polygon({{0, 0}, {1, 1}, {1, 0}, {0, 1}}), HasSubstr("edges 0 and 2 meet"));
+  EXPECT_THAT(polygon({{0, 0}, {1, 0}, {2, 0}}), HasSubstr("apex at (2, 0)"));
+  EXPECT_THAT(polygon({{0, 0}, {4, 0}, {2, 0}, {2, 2}}),
+              HasSubstr("has spikes. A spike point was found with apex at (4, 0)"));
+  EXPECT_THAT(polygon({{0, 0}, {1, 1}, {1, 0}, {0, 1}}),
+              HasSubstr("self-intersection point was found at (0.5, 0.5)"));
   // A corner that touches the opposite edge.
-  EXPECT_THAT(polygon({{0, 0}, {4, 0}, {4, 2}, {2, 0}, {0, 2}}), HasSubstr("crosses itself"));
+  EXPECT_THAT(polygon({{0, 0}, {4, 0}, {4, 2}, {2, 0}, {0, 2}}),
+              HasSubstr("self-intersection point was found at (2, 0)"));
 }
 
 }  // namespace

@@ -166,10 +166,10 @@ TEST(SummaryText, ShowsOutcomesWithTheirIntervals) {
   EXPECT_THAT(
       text,
       HasSubstr(
-          "planner    n         goal reached  path ratio       path ratio    SPL  ended "
+          "planner    n           goal reached  path ratio       path ratio    SPL  ended "
           "otherwise\n"
-          "                            share      median  95th percentile   mean\n"
-          "a          2    50.0 % [9.5, 90.5]       1.250            1.250  0.400  1 collision\n"
+          "                              share      median  95th percentile   mean\n"
+          "a          2     50.0 % [9.5, 90.5]       1.250            1.250  0.400  1 collision\n"
           "long name  1  100.0 % [20.7, 100.0]       1.500            1.500  0.667\n"))
       << "columns that no row has a value of are left out";
   EXPECT_THAT(text,
