@@ -117,5 +117,5 @@ function(voronaut_test name)
   voronaut_precompile(${name}_tests ${ARG_PRECOMPILED})
   target_compile_definitions(${name}_tests PRIVATE
     VORONAUT_SOURCE_DIR="${PROJECT_SOURCE_DIR}" VORONAUT_BINARY_DIR="${PROJECT_BINARY_DIR}")
-  gtest_discover_tests(${name}_tests TEST_PREFIX "${name}." DISCOVERY_TIMEOUT 60)
+  gtest_discover_tests(${name}_tests TEST_PREFIX "${name}." DISCOVERY_TIMEOUT 600)
 endfunction()

@@ -90,13 +90,32 @@ PdRate::PdRate(const PdRateConfig& config, const QuadrotorConfig& vehicle,
 
 void PdRate::reset(const VehicleState& state) { previous_v_world_ = state.v_world.head<2>(); }
 
-Vector2d PdRate::acceleration_world(const VehicleState& state) const {
+// This and saturate() are inline for the sake of a shared library, where the compiler may not make
+// them so by itself: they are called once in every vehicle step.
+inline Vector2d PdRate::acceleration_world(const VehicleState& state) const {
   if (config_.acceleration == PdRateConfig::Acceleration::attitude) {
     const Tilt tilt = tilt_of(state.q_world_body);
     const double per_cos = vehicle_.gravity_m_s2 / std::max(tilt.r33, kMinCosTilt);
     return {tilt.r13 * per_cos, tilt.r23 * per_cos};
   }
   return (state.v_world.head<2>() - previous_v_world_) / period_s_;
+}
+
+inline void PdRate::saturate(RotorDemand& demand) const {
+  const double reserve = kHeightReserve * hover_rad_s_;
+  demand.collective = std::clamp(demand.collective, vehicle_.min_rotor_speed_rad_s + reserve,
+                                 vehicle_.max_rotor_speed_rad_s - reserve);
+  const double room = std::min(vehicle_.max_rotor_speed_rad_s - demand.collective,
+                               demand.collective - vehicle_.min_rotor_speed_rad_s);
+  demand.forward = std::clamp(demand.forward, -2 * room, 2 * room);
+  demand.right = std::clamp(demand.right, -2 * room, 2 * room);
+  const double used = 0.5 * std::max(std::abs(demand.forward), std::abs(demand.right));
+  const double yaw_room = std::min(kYawAuthority * hover_rad_s_, room - used);
+  demand.yaw = std::clamp(demand.yaw, -yaw_room, yaw_room);
+  // Thrust grows with the square of speed: the pair that yaw slows down turns the vehicle less for
+  // the same difference, the other one more.
+  demand.forward *= demand.collective / (demand.collective - demand.yaw);
+  demand.right *= demand.collective / (demand.collective + demand.yaw);
 }
 
 Command PdRate::regulate(const Setpoint& setpoint, const VehicleState& state) {
@@ -153,23 +172,6 @@ VelocityResponse PdRate::velocity_response() const {
                                    ? kAgileStopError_s
                                    : kSluggishStopError_s;
   return response;
-}
-
-void PdRate::saturate(RotorDemand& demand) const {
-  const double reserve = kHeightReserve * hover_rad_s_;
-  demand.collective = std::clamp(demand.collective, vehicle_.min_rotor_speed_rad_s + reserve,
-                                 vehicle_.max_rotor_speed_rad_s - reserve);
-  const double room = std::min(vehicle_.max_rotor_speed_rad_s - demand.collective,
-                               demand.collective - vehicle_.min_rotor_speed_rad_s);
-  demand.forward = std::clamp(demand.forward, -2 * room, 2 * room);
-  demand.right = std::clamp(demand.right, -2 * room, 2 * room);
-  const double used = 0.5 * std::max(std::abs(demand.forward), std::abs(demand.right));
-  const double yaw_room = std::min(kYawAuthority * hover_rad_s_, room - used);
-  demand.yaw = std::clamp(demand.yaw, -yaw_room, yaw_room);
-  // Thrust grows with the square of speed: the pair that yaw slows down turns the vehicle less for
-  // the same difference, the other one more.
-  demand.forward *= demand.collective / (demand.collective - demand.yaw);
-  demand.right *= demand.collective / (demand.collective + demand.yaw);
 }
 
 }  // namespace voronaut

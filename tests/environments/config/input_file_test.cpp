@@ -6,7 +6,8 @@
 #include <gtest/gtest.h>
 #include <sys/stat.h>
 
-#include "voronaut/environments/scenario/scenario.h"
+#include "voronaut/environments/config/config_node.h"
+#include "voronaut/environments/scenario_files/scenario_reader.h"
 
 namespace voronaut {
 namespace {

@@ -87,9 +87,9 @@ TEST(RecoveryPolicy, GoesOnWithItsStepsAsLongAsItIsStillNearThePlace) {
   const auto second_step_at = [](double moved_m) {
     RecoveryPolicy policy(kTimeout_s);
     double now_s = 0;
-    Headway stalled;
+    MissionProgress stalled;
     stalled.wants_to_move = true;
-    stalled.too_close = true;
+    stalled.obstacle_within_clearance = true;
     EXPECT_EQ(next_action(policy, now_s, stalled), RecoveryAction::back_off);
     stalled.p_world = Vec2(moved_m, 0);
     return next_action(policy, now_s, stalled);

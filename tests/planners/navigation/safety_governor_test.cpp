@@ -170,13 +170,20 @@ TEST(SafetyGovernor, LetsAVehicleLeaveAWallThatItStandsTooCloseTo) {
   }
 }
 
-// The strip |y| < half_width_m, known to be free.
+// The strip |y| < half_width_m, known to be free, in cells small enough to hide nothing.
 FreeSpace strip(double from_m, double to_m, double half_width_m) {
-  FreeSpace free(kBounds);
+  FreeSpace free(kBounds, {.cell_m = 0.01});
   for (double x = from_m + half_width_m; x < to_m - half_width_m; x += 0.02)
     free.mark_disc(Vec2(x, 0), half_width_m);
   free.mark_disc(Vec2(to_m - half_width_m, 0), half_width_m);
   return free;
+}
+
+// How far from p along one of the axes it is known to be free: a cell that a mark touches is.
+double free_way_m(const FreeSpace& free, const Vec2& p, const Vec2& along) {
+  double way_m = 0;
+  while (free.is_free(p + way_m * along)) way_m += 1e-4;
+  return way_m;
 }
 
 // The edges of what is proved. A tube is as wide as the body and all that it may stray.
@@ -185,17 +192,17 @@ TEST(SafetyGovernor, LeavesRoomForAllThatAStopMayStrayFromItsPrediction) {
     VelocityResponse response;
     response.error_at_rest_m = stray_m;
     const VehicleState state = make_model(IdealConfig{})->at_rest({0, 0, 1}, {1, 0});
-    double narrowest_m = 0.2;
-    for (;; narrowest_m += 0.01) {
-      ASSERT_LT(narrowest_m, 1) << stray_m;
+    double narrowest_m = 1;
+    for (double half_width_m = 0.2; half_width_m < 0.8; half_width_m += 0.01) {
+      const FreeSpace free = strip(-1, 4, half_width_m);
       SafetyGovernor governor(response, kBodyRadius_m, kClearance_m, 0.05);
-      if (governor
-              .allow(Vec2(1.5, 0), state, strip(-1, 4, narrowest_m), {}, KnownClearance::planned)
-              .speed_scale > 0)
-        break;
+      if (governor.allow(Vec2(1.5, 0), state, free, {}, KnownClearance::planned).speed_scale == 0)
+        continue;
+      for (const Vec2& side : {Vec2(0, 1), Vec2(0, -1)})
+        narrowest_m = std::min(narrowest_m, free_way_m(free, Vec2(0.1, 0), side));
     }
     EXPECT_GE(narrowest_m, kBodyRadius_m + stray_m);
-    EXPECT_LT(narrowest_m, kBodyRadius_m + stray_m + 0.12) << "not at the edge";
+    EXPECT_LT(narrowest_m, kBodyRadius_m + stray_m + 0.04) << "not at the edge";
   }
 }
 
@@ -237,8 +244,9 @@ TEST(SafetyGovernor, StopsShortOfWhatIsUnknownThoughItHoldsEachCommandAsLongAsIt
     double least_m = 1;
     for (double end_m = 3; end_m < 3.3; end_m += 0.02) {
       const FreeSpace free = strip(-1, end_m, 1);
+      const double known_end_m = free_way_m(free, Vec2(0, 0), Vec2(1, 0));
       for (int periods = 1; periods < 20; ++periods)
-        least_m = std::min(least_m, room_left_m(name, kHold_s, free, end_m, periods));
+        least_m = std::min(least_m, room_left_m(name, kHold_s, free, known_end_m, periods));
     }
     EXPECT_GE(least_m, 0) << name;
     EXPECT_LT(least_m, 0.1) << name << " is not at the edge";
@@ -266,8 +274,9 @@ TEST(SafetyGovernor, KeepsTheClearanceOfPlannersButForItsMargin) {
         kClearance_m, 0.05);
     FreeSpace free(kBounds);
     free.mark_disc(Vec2(0, 0), 4);
-    const auto post = test::base_of({Vec2(1, aside_m)});
-    const VehicleState state = make_model(IdealConfig{})->at_rest({0, 0, 1}, {1, 0});
+    const auto post = test::base_of({Vec2(0.5, aside_m)});
+    VehicleState state = make_model(IdealConfig{})->at_rest({0, 0, 1}, {1, 0});
+    state.v_world.x() = 2;
     return governor.allow(Vec2(2.5, 0), state, free, post->snapshot(), KnownClearance::planned)
         .speed_scale;
   };

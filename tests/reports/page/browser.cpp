@@ -207,7 +207,7 @@ std::string Session::evaluate(const std::string& expression) {
 
 bool Session::wait_for(const std::string& expression) {
   using namespace std::chrono_literals;
-  for (int i = 0; i < 200; ++i) {
+  for (int waited_ms = 0; waited_ms < kPatienceMs; waited_ms += 50) {
     if (evaluate(expression) == "true") {
       return true;
     }

@@ -9,9 +9,7 @@
 #include <gmock/gmock.h>
 #include <zlib.h>
 
-#include "voronaut/benchmarks/results/mapped_logs.h"
-
-namespace voronaut::micro {
+namespace voronaut {
 namespace {
 
 namespace fs = std::filesystem;
@@ -21,10 +19,10 @@ constexpr double kDegree_rad = std::numbers::pi / 180;
 
 class CarmenLog : public ::testing::Test {
  protected:
-  CarmenLog() { fs::create_directories(folder_ / "lidar"); }
+  CarmenLog() { fs::create_directories(folder_); }
   ~CarmenLog() override { fs::remove_all(folder_); }
 
-  std::string file(const std::string& name) const { return (folder_ / "lidar" / name).string(); }
+  std::string file(const std::string& name) const { return (folder_ / name).string(); }
   std::string plain(const std::string& text) const {
     std::ofstream(file("a.log")) << text;
     return file("a.log");
@@ -133,15 +131,5 @@ TEST_F(CarmenLog, NamesTheLineAndWhatIsExpectedThere) {
   EXPECT_THAT(error_of(file("none.log")), HasSubstr("none.log: is no file"));
 }
 
-TEST_F(CarmenLog, IsFoundUnderAnyNameInTheFolder) {
-  for (const char* name : {"b-corrected.log.gz", "c.log", "a.log", "index.csv", "notes.gz"})
-    std::ofstream(file(name)) << flaser(181);
-  std::vector<std::string> names;
-  for (const LidarLog& log : lidar_logs(folder_.string())) names.push_back(log.name);
-  EXPECT_THAT(names, ::testing::ElementsAre("a", "b", "c"));
-  EXPECT_THAT(lidar_logs((folder_ / "elsewhere").string()), ::testing::IsEmpty());
-  EXPECT_EQ(map_logs(folder_.string()).size(), 3U);
-}
-
 }  // namespace
-}  // namespace voronaut::micro
+}  // namespace voronaut
