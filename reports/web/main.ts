@@ -7,7 +7,7 @@ import { figure9Section, hasFigure9 } from "./pages/figure9";
 import { filterBar } from "./elements/filter_bar";
 import { pageOf } from "./elements/links";
 import { buildMappingPage, mappingSection } from "./pages/mapping";
-import { failed } from "./elements/outcomes";
+import { failed } from "./data/outcomes";
 import { overview } from "./pages/overview";
 import { Palette } from "./elements/palette";
 import { manifestEntries, provenanceSection } from "./pages/provenance";

@@ -2,7 +2,7 @@
 
 import type { MappedLog } from "./mapped_log";
 import type { Micro } from "./micro_results";
-import { OutcomeEntry, useOutcomes } from "../elements/outcomes";
+import { OutcomeEntry, useOutcomes } from "./outcomes";
 
 export interface MappingData {
   micro: Micro;

@@ -3,7 +3,7 @@ import { groupName, plannerCell, rateCell } from "../elements/cells";
 import { byName, Estimate, OutcomeChange, PlannerChange, Report, Statistic, vehicleOf } from "../data/data";
 import { el, fixed, nameOf } from "../elements/dom";
 import { replayLink } from "../elements/links";
-import { outcomeText } from "../elements/outcomes";
+import { outcomeText } from "../elements/outcome_text";
 import { Palette } from "../elements/palette";
 import type { Filter } from "../data/sample";
 import { Column, table } from "../elements/table";

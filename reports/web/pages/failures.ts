@@ -2,7 +2,8 @@
 import { byName, Report, Trial, vehicleOf, World } from "../data/data";
 import { button, el, fixed, nameOf, select } from "../elements/dom";
 import { replayLink } from "../elements/links";
-import { failed as isFailed, outcomeText, outcomeWords } from "../elements/outcomes";
+import { failed as isFailed, outcomeWords } from "../data/outcomes";
+import { outcomeText } from "../elements/outcome_text";
 import { Palette } from "../elements/palette";
 import { commandOf } from "../elements/repeat_command";
 import { Filter, keeps } from "../data/sample";

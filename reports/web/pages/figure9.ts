@@ -4,7 +4,7 @@ import { plannerCell } from "../elements/cells";
 import { el, fixed, nameOf, select } from "../elements/dom";
 import { waysButtons } from "./drawn_ways";
 import { replayLink } from "../elements/links";
-import { outcomeText } from "../elements/outcomes";
+import { outcomeText } from "../elements/outcome_text";
 import { Palette } from "../elements/palette";
 import { Filter, keeps } from "../data/sample";
 import { firstPerPlanner, Scene, scenesOf } from "../data/scene";

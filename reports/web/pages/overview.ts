@@ -2,7 +2,7 @@
 import { groupName, plannerCell, statisticCell } from "../elements/cells";
 import { byName, byVehicle, kReached, PlannerPairing, PlannerSummary, Report, Statistic, vehicleOf } from "../data/data";
 import { el, nameOf } from "../elements/dom";
-import { outcomeText } from "../elements/outcomes";
+import { outcomeText } from "../elements/outcome_text";
 import { pairingSection } from "./pairings";
 import { Palette } from "../elements/palette";
 import type { Filter } from "../data/sample";

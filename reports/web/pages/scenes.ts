@@ -2,7 +2,8 @@
 import { Report, Trial, World } from "../data/data";
 import { button, el, fixed, nameOf, select, svg } from "../elements/dom";
 import { waysButtons } from "./drawn_ways";
-import { failed, outcomeSign, outcomeText, outcomeWords } from "../elements/outcomes";
+import { failed, outcomeSign, outcomeWords } from "../data/outcomes";
+import { outcomeText } from "../elements/outcome_text";
 import { Palette } from "../elements/palette";
 import { replayLink } from "../elements/links";
 import { Filter, keeps } from "../data/sample";

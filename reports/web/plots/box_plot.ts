@@ -7,7 +7,7 @@ import { scaleBand, scaleLinear, scaleLog } from "d3-scale";
 import type { Trial } from "../data/data";
 import { csv, fixed, svg } from "../elements/dom";
 import { drawAxes, figureOf, frame, kHeight, kMargin, kWidth, legend } from "./figure";
-import { failed, outcomeWords } from "../elements/outcomes";
+import { failed, outcomeWords } from "../data/outcomes";
 import { Palette } from "../elements/palette";
 import { Sample, Value } from "../data/sample";
 

@@ -5,7 +5,7 @@ import { scaleLinear } from "d3-scale";
 
 import { csv, fixed, percent, svg } from "../elements/dom";
 import { drawAxes, figureOf, frame, kHeight, kMargin, kWidth, legend } from "./figure";
-import { failed } from "../elements/outcomes";
+import { failed } from "../data/outcomes";
 import { Palette } from "../elements/palette";
 import { Sample, Value } from "../data/sample";
 import { probe } from "../elements/tooltip";

@@ -2,7 +2,7 @@
 import { Report, Trial, World } from "../data/data";
 import { button, checkbox, el, fixed, nameOf, select } from "../elements/dom";
 import { readReplayLink, replayLink, ReplayPlace } from "../elements/links";
-import { outcomeText } from "../elements/outcomes";
+import { outcomeText } from "../elements/outcome_text";
 import { Palette } from "../elements/palette";
 import { Ink, Painter, readInk } from "./replay_canvas";
 import { factsAt } from "./replay_facts";

@@ -1,7 +1,7 @@
 // One moment of one trial on a canvas: the true world faint, what is known by then, what is seen now,
 // the plan, and the way so far coloured by speed.
 import type { Trial, World } from "../data/data";
-import { failed, outcomeSign } from "../elements/outcomes";
+import { failed, outcomeSign } from "../data/outcomes";
 import { hullsOf, kSpeedBins, Point, rayEnds, searchedEdges, speedRamp } from "./replay_geometry";
 import { Layers } from "./replay_layers";
 import { Trace } from "../data/trace";

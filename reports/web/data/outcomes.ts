@@ -1,5 +1,4 @@
 // How trials end: the table of reports/outcome.h as the page was given it.
-import { el } from "./dom";
 
 export interface OutcomeEntry {
   name: string;
@@ -30,18 +29,6 @@ export function outcomeWords(outcome: string): string {
   return kEntries.get(outcome)?.words ?? outcome;
 }
 
-// In the outcome's colour; see style.css.
-export function inOutcomeColour(element: HTMLElement, outcome: string): HTMLElement {
-  const entry = kEntries.get(outcome);
-  element.classList.add("outcome");
-  element.style.setProperty("--on-light", entry?.colour ?? "");
-  element.style.setProperty("--on-dark", entry?.colour_on_dark ?? "");
-  return element;
-}
-
-// Sign and words, what it means as its tooltip. `count`: of how many trials it is said.
-export function outcomeText(outcome: string, count?: number): HTMLElement {
-  const number = count === undefined ? "" : `${count} `;
-  return inOutcomeColour(el("span", { title: kEntries.get(outcome)?.meaning ?? "" },
-    `${outcomeSign(outcome)} ${number}${outcomeWords(outcome)}`), outcome);
+export function outcomeEntry(outcome: string): OutcomeEntry | undefined {
+  return kEntries.get(outcome);
 }
