@@ -318,7 +318,9 @@ TEST(Runner, MakesRowsOfAWorldThatEndsTheProcessThatMeasuresItAndGoesOn) {
     const bool open = record.scenario == "open";
     EXPECT_EQ(record.outcome, open ? Outcome::invalid : Outcome::goal_reached);
     EXPECT_EQ(record.reason, open ? "the shortest path of its world: ended by SIGSEGV" : "made up");
-    if (!open) EXPECT_EQ(record.shortest_length_m, 0.25);
+    if (!open) {
+      EXPECT_EQ(record.shortest_length_m, 0.25);
+    }
   }
 }
 
