@@ -13,7 +13,7 @@ namespace voronaut {
 // one each 0.05 s else, and at most kMostStaticFrames.
 inline constexpr int kMostStaticFrames = 20'000;
 Trace static_trace(const TrialSpec& spec, const Path& path,
-                  const std::vector<Improvement>& improvements,
-                  const std::vector<Segment>& searched);
+                   const std::vector<Improvement>& improvements,
+                   const std::vector<Segment>& searched);
 
 }  // namespace voronaut

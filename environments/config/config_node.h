@@ -82,8 +82,8 @@ class ConfigNode {
   int line_ = 0;
 };
 
-// The bytes of a file. Throws ConfigError if it is missing, no file but a folder, a pipe or a device,
-// too large (input_file.h), unreadable or not UTF-8 text.
+// The bytes of a file. Throws ConfigError if it is missing, no file but a folder, a pipe or a
+// device, too large (input_file.h), unreadable or not UTF-8 text.
 std::string read_text_file(const std::string& path);
 // The same of any bytes.
 std::string read_bytes(const std::string& path);

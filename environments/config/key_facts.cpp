@@ -80,30 +80,12 @@ class FactCollector : public KeyVisitor {
 
 // Endings of names, longest first where one ends with another.
 constexpr std::array<std::pair<std::string_view, std::string_view>, 24> kUnits{{
-    {"_per_speed_s", "s"},
-    {"_s_per_m", "s/m"},
-    {"_per_m2", "1/m^2"},
-    {"_1_s2", "1/s^2"},
-    {"_1_s", "1/s"},
-    {"_1_m", "1/m"},
-    {"_rad_s", "rad/s"},
-    {"_N_m_s2", "N m s^2"},
-    {"_m_s2", "m/s^2"},
-    {"_N_m_s", "N m s"},
-    {"_N_m_A", "N m/A"},
-    {"_N_m", "N m"},
-    {"_N_s2", "N s^2"},
-    {"_kg_m2", "kg m^2"},
-    {"_V_s", "V s"},
-    {"_m_s", "m/s"},
-    {"_ohm", "ohm"},
-    {"_rad", "rad"},
-    {"_mb", "MB"},
-    {"_hz", "Hz"},
-    {"_kg", "kg"},
-    {"_V", "V"},
-    {"_s", "s"},
-    {"_m", "m"},
+    {"_per_speed_s", "s"}, {"_s_per_m", "s/m"},  {"_per_m2", "1/m^2"}, {"_1_s2", "1/s^2"},
+    {"_1_s", "1/s"},       {"_1_m", "1/m"},      {"_rad_s", "rad/s"},  {"_N_m_s2", "N m s^2"},
+    {"_m_s2", "m/s^2"},    {"_N_m_s", "N m s"},  {"_N_m_A", "N m/A"},  {"_N_m", "N m"},
+    {"_N_s2", "N s^2"},    {"_kg_m2", "kg m^2"}, {"_V_s", "V s"},      {"_m_s", "m/s"},
+    {"_ohm", "ohm"},       {"_rad", "rad"},      {"_mb", "MB"},        {"_hz", "Hz"},
+    {"_kg", "kg"},         {"_V", "V"},          {"_s", "s"},          {"_m", "m"},
 }};
 
 std::string range_text(const KeyFact& fact) {

@@ -65,10 +65,10 @@ struct ForeignOptions {
     v.number("cell_size_m", cell_size_m, 0.001, 1000, "Of a grid that has no size of its own");
     v.choice("unknown", unknown, {{"free", UnknownCells::free}, {"blocked", UnknownCells::blocked}},
              "What unknown cells of a map are taken for");
-    v.choice(
-        "cut", cut, {{"plane", BodyCut::plane}, {"columns", BodyCut::columns}},
-        "What is taken of bodies: where they meet a plane, or all below and above it as well");
-    v.number("height_m", height_m, 0, 100, "Of that plane; in a scenario its cruise_height_m unless given");
+    v.choice("cut", cut, {{"plane", BodyCut::plane}, {"columns", BodyCut::columns}},
+             "What is taken of bodies: where they meet a plane, or all below and above it as well");
+    v.number("height_m", height_m, 0, 100,
+             "Of that plane; in a scenario its cruise_height_m unless given");
   }
 };
 

@@ -52,8 +52,8 @@ std::optional<SafetyGovernor> governor_of(const NavigatorConfig& config) {
     throw std::invalid_argument("a governor needs the vehicle's velocity response");
   if (vehicle.steering != Steering::any_direction)
     throw std::invalid_argument("a governor is for vehicles that move in any direction");
-  return SafetyGovernor(*vehicle.velocity_response, vehicle.body_radius_m, vehicle.planning_clearance_m,
-                        config.range_finder.period_s);
+  return SafetyGovernor(*vehicle.velocity_response, vehicle.body_radius_m,
+                        vehicle.planning_clearance_m, config.range_finder.period_s);
 }
 
 // Tells the observer, if there is one, of a stage for as long as it lives.

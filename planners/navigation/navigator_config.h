@@ -44,7 +44,7 @@ enum class Steering {
 
 // What navigation must know of a vehicle under its regulator.
 struct VehicleFacts {
-  double body_radius_m = 0.25;    // upright cylinder about the centre of mass
+  double body_radius_m = 0.25;         // upright cylinder about the centre of mass
   double planning_clearance_m = 0.40;  // planning: centre of mass to obstacle
   Steering steering = Steering::any_direction;
   MotionLimits limits;

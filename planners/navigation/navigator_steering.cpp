@@ -81,8 +81,9 @@ Vec2 Navigator::repulsive_heading(const Vec2& towards, const Vec2& p_world) cons
   const Vec2 from_nearest = p_world - *nearest;
   const double distance_m = from_nearest.norm();
   if (distance_m == 0) return towards;
-  const double repulsion = std::min(kRepulsionMax, (config_.vehicle.planning_clearance_m - distance_m) /
-                                                       SafetyGovernor::kKnownMargin_m);
+  const double repulsion =
+      std::min(kRepulsionMax, (config_.vehicle.planning_clearance_m - distance_m) /
+                                  SafetyGovernor::kKnownMargin_m);
   const Vec2 blended = towards + (repulsion / distance_m) * from_nearest;
   return blended.norm() > kNoDirection ? Vec2(blended.normalized())
                                        : Vec2(from_nearest / distance_m);

@@ -45,8 +45,8 @@ class ResultStore {
   bool insert(const RunRecord& record, const std::optional<Trace>& trace);
   // The same with the trace as stored, for merging.
   bool insert_with_blob(const RunRecord& record, std::string_view trace_blob);
-  // Writes the file anew if somebody deleted, moved or replaced it while it is open; insert() begins
-  // with that. What was cut off from it or overwritten in it is lost.
+  // Writes the file anew if somebody deleted, moved or replaced it while it is open; insert()
+  // begins with that. What was cut off from it or overwritten in it is lost.
   void restore_at_path();
   // Kept once per world_id.
   void insert_world(const TraceWorld& world);

@@ -23,9 +23,9 @@ double ended_as(const RunRecord& record) {
 // A trial that never started failed: it counts 0.
 double spl_or_0(const RunRecord& record) { return std::isnan(record.spl) ? 0 : record.spl; }
 
-// What a planner that keeps planning_clearance_m could have done at best. Below 1 only for a vehicle
-// that came closer; NaN also where no path has that clearance. Where start and goal are one place,
-// so are the references: then it is path_ratio.
+// What a planner that keeps planning_clearance_m could have done at best. Below 1 only for a
+// vehicle that came closer; NaN also where no path has that clearance. Where start and goal are one
+// place, so are the references: then it is path_ratio.
 double path_ratio_at_clearance(const RunRecord& record) {
   if (record.shortest_at_clearance_m == 0) return record.path_ratio;
   return record.path_ratio * record.shortest_length_m / record.shortest_at_clearance_m;

@@ -101,8 +101,8 @@ void expect_sentences(const std::vector<KeyFact>& facts) {
 TEST(FileKeys, SayOfEachKeyWhatItIs) {
   const FileKeys& all = keys();
   for (const auto* facts :
-       {&all.suite, &all.vehicle, &all.regulator, &all.planner, &all.criterion, &all.task, &all.file,
-        &all.world, &all.world_file, &all.generator, &all.data_set, &all.foreign_options,
+       {&all.suite, &all.vehicle, &all.regulator, &all.planner, &all.criterion, &all.task,
+        &all.file, &all.world, &all.world_file, &all.generator, &all.data_set, &all.foreign_options,
         &all.query_file, &all.query_selection})
     expect_sentences(*facts);
   for (const auto* named :
