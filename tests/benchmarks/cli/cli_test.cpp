@@ -85,7 +85,8 @@ TEST_F(CommandLine, SaysInOneLineWhatIsWrongAndWritesNothing) {
       {"digest empty", "voronaut: empty: no results here (no results.db)\n"},
       {"replay empty abc", "voronaut: empty: no results here (no results.db)\n"},
       {"list colours",
-       "voronaut: WHAT: colours not in {planners,vehicles,regulators,scenarios,suites}" + help},
+       "voronaut: WHAT: colours not in {planners,vehicles,regulators,scenarios,suites,results}" +
+           help},
       {"check missing.yaml", "voronaut: missing.yaml: no such file\n"},
   };
   for (const auto& [arguments, message] : cases) {

@@ -109,8 +109,8 @@ TEST_F(ReportPages, AHeadingSortsItsColumn) {
   const std::string after =
       "document.querySelectorAll('#page-overview table')[1].querySelectorAll('tbody tr')";
   const std::string press =
-      "document.querySelectorAll('#page-overview table')[1].querySelectorAll('th "
-      "button')[6].click()";
+      "document.querySelectorAll('#page-overview table')[1].querySelectorAll('th')[6]."
+      "querySelector('button').click()";
   const std::string values =
       "[..." + after + "].map(r => parseFloat(r.cells[6].textContent)).join(',')";
   session_->evaluate(press);
