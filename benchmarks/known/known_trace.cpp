@@ -27,7 +27,9 @@ Trace known_trace(const TrialSpec& spec, const Path& path,
   for (const Improvement& i : improvements) {
     trace.improvements.push_back({static_cast<std::int64_t>(i.state_checks), i.time_s, i.cost});
   }
-  add_searches({searched}, trace);
+  SearchHistory history;
+  history.add(searched);
+  history.write_to(trace);
   if (!path.empty()) {
     auto& plan = trace.plans.emplace_back();
     plan.push_back({path.front().x(), path.front().y()});
