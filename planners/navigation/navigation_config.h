@@ -31,9 +31,9 @@ struct NavigationConfig {
 
   template <class Visitor>
   void visit(Visitor& v) {
-    v.choice("yaw_policy", yaw_policy,
-             {{"fixed", YawReference::fixed}, {"path", YawReference::path}},
-             "Look at the goal as seen from the start (the papers), or along the path, a little ahead");
+    v.choice(
+        "yaw_policy", yaw_policy, {{"fixed", YawReference::fixed}, {"path", YawReference::path}},
+        "Look at the goal as seen from the start (the papers), or along the path, a little ahead");
     v.choice(
         "speed_rule", speed_rule,
         {{"unlimited", SpeedRule::unlimited}, {"stopping_distance", SpeedRule::stopping_distance}},

@@ -9,7 +9,7 @@ namespace voronaut {
 struct Braking {
   double velocity_gain_1_s = 1.786;  // k of the velocity loop: V/k is the distance without limit
   double deceleration_m_s2 = 3.0;    // the limit of the vehicle
-  double clearance_m = 0.4;      // what must be left when it stands
+  double clearance_m = 0.4;          // what must be left when it stands
 };
 
 // The fastest speed at which a vehicle at `pose` may go in the unit direction `towards` under

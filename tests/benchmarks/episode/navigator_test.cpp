@@ -29,7 +29,8 @@ TrialSpec among_posts(const std::string& planner, std::map<std::string, std::str
 
 TrialSpec governed() {
   TrialSpec spec = among_posts("VoronoiRoadmap");
-  spec.flight.navigation.governor = spec.flight.navigation.look_around = spec.flight.navigation.recovery = true;
+  spec.flight.navigation.governor = spec.flight.navigation.look_around =
+      spec.flight.navigation.recovery = true;
   spec.flight.navigation.yaw_policy = YawReference::path;
   return spec;
 }
