@@ -6,8 +6,8 @@
 namespace voronaut {
 
 // The ground truth: obstacles within bounds. Never changes, so any number of trials may share one
-// behind a shared_ptr. The bounds are no walls: sensors do not see them, but a vehicle that leaves
-// them has failed.
+// behind a shared_ptr. The bounds limit the centre of a vehicle: sensors do not see them, but one
+// that leaves them has failed.
 class World {
  public:
   // Throws std::invalid_argument on bounds that are not finite or have no area, and as validated()

@@ -8,6 +8,7 @@
 
 #include "voronaut/benchmarks/episode/cluster_history.h"
 #include "voronaut/benchmarks/episode/referee.h"
+#include "voronaut/benchmarks/episode/search_trace.h"
 #include "voronaut/dynamics/path.h"
 #include "voronaut/dynamics/state.h"
 #include "voronaut/planners/navigation/navigation_report.h"
@@ -30,7 +31,7 @@ struct ScanEvent {
   Vec2 lookahead_world = Vec2::Zero();  // the point that the setpoint heads for
   int mode = -1;                        // index into EpisodeLog::modes
   int plan = -1;                        // index into EpisodeLog::plans: the one being followed
-  int search = -1;                      // index into EpisodeLog::searches: the latest
+  int search = -1;                      // number of the latest in EpisodeLog::searches
   ReplanReason replan = ReplanReason::none;
   SolveEnd solve_end = SolveEnd::planner;  // of the solve that `replan` asked for
   std::size_t known_points = 0;            // of the map, without virtual obstacles
@@ -62,9 +63,9 @@ struct EpisodeLog {
   std::vector<ScanEvent> scans;
   std::vector<std::string> modes;  // in the order of their first use
   std::vector<Path> plans;
-  std::vector<std::vector<Segment>> searches;  // edges looked at; only if the episode keeps scans
-  ClusterHistory clusters;                     // the same
-  double departure_s = 0;                      // when the vehicle had its height and set off
+  SearchHistory searches;   // edges looked at; only if the episode keeps scans
+  ClusterHistory clusters;  // the same
+  double departure_s = 0;   // when the vehicle had its height and set off
   std::int64_t replans = 0;
   std::array<std::int64_t, kSolveEnds> solve_ends{};  // of the replans, by SolveEnd
   Verdict verdict{Outcome::invalid, ""};

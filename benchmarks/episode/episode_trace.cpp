@@ -99,7 +99,7 @@ Trace trace_of(const TrialSpec& spec, const EpisodeLog& log, const ObstacleSnaps
   trace.max_range_m = spec.flight.range_finder.max_range_m;
   for (const Path& plan : log.plans) trace.plans.push_back(vertices(plan));
   add_clusters(log, known, trace);
-  add_searches(log.searches, trace);
+  log.searches.write_to(trace);
   for (const ScanEvent& event : log.scans) {
     TraceFrame& frame = trace.frames.emplace_back(frame_at(event, log.ticks[event.tick]));
     frame.mode = index_of(trace.modes, shown_mode(event, log));

@@ -94,8 +94,8 @@ void Recorder::keep_for_replay(ScanEvent& event) {
   event.range_m.assign(range_m.begin(), range_m.end());
   log_.clusters.note(log_.scans.size(), navigator_.known());
   if (event.replan != ReplanReason::none && !navigator_.planner_traits().plans_on_every_scan)
-    log_.searches.push_back(navigator_.searched_edges());
-  event.search = static_cast<int>(log_.searches.size()) - 1;
+    log_.searches.add(log_.searches.full() ? std::vector<Segment>{} : navigator_.searched_edges());
+  event.search = log_.searches.searches() - 1;
 }
 
 }  // namespace voronaut

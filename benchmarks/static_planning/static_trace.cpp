@@ -56,7 +56,9 @@ Trace static_trace(const TrialSpec& spec, const Path& path,
   for (const Improvement& i : improvements) {
     trace.improvements.push_back({static_cast<std::int64_t>(i.state_checks), i.time_s, i.cost});
   }
-  add_searches({searched}, trace);
+  SearchHistory history;
+  history.add(searched);
+  history.write_to(trace);
   if (!path.empty()) trace.plans.push_back(polyline(path));
 
   const double length_m = path.empty() ? 0 : path.length_m();

@@ -11,14 +11,6 @@ namespace voronaut {
 
 namespace {
 
-Bounds planning_bounds(const Mission& mission) {
-  const Vec2 inset(kPlanningInset_m, kPlanningInset_m);
-  const Vec2 low = mission.start_world.cwiseMin(mission.goal_world);
-  const Vec2 high = mission.start_world.cwiseMax(mission.goal_world);
-  return {(mission.bounds_world.min + inset).cwiseMin(low),
-          (mission.bounds_world.max - inset).cwiseMax(high)};
-}
-
 // What a body within the bounds may touch.
 Bounds reachable_bounds(const NavigatorConfig& config) {
   const Bounds& bounds = config.mission.bounds_world;
@@ -27,8 +19,8 @@ Bounds reachable_bounds(const NavigatorConfig& config) {
 }
 
 ProblemConfig problem_config(const NavigatorConfig& config) {
-  return {planning_bounds(config.mission), config.mission.goal_world,
-          config.mission.goal_tolerance_m, config.vehicle.planning_clearance_m};
+  return {config.mission.bounds_world, config.mission.goal_world, config.mission.goal_tolerance_m,
+          config.vehicle.planning_clearance_m};
 }
 
 const PlannerEntry& planner_entry(const NavigatorConfig& config, const PlannerCatalog& planners) {
@@ -53,7 +45,8 @@ std::optional<SafetyGovernor> governor_of(const NavigatorConfig& config) {
   if (vehicle.steering != Steering::any_direction)
     throw std::invalid_argument("a governor is for vehicles that move in any direction");
   return SafetyGovernor(*vehicle.velocity_response, vehicle.body_radius_m,
-                        vehicle.planning_clearance_m, config.range_finder.period_s);
+                        vehicle.planning_clearance_m, config.range_finder.period_s,
+                        config.mission.bounds_world);
 }
 
 // Tells the observer, if there is one, of a stage for as long as it lives.

@@ -87,6 +87,7 @@ class Navigator {
   // steering: navigator_steering.cpp
   LookaheadPoint lookahead(const VehicleState& state, double now_s, Setpoint& setpoint);
   Vec2 repulsive_heading(const Vec2& towards, const Vec2& p_world) const;
+  Vec2 kept_within_bounds(const Vec2& towards, const VehicleState& state) const;
   VelocityCommand govern(const Vec2& v_wanted_m_s, const VehicleState& state, KnownClearance kept);
 
   const NavigatorConfig config_;

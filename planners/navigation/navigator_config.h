@@ -23,13 +23,10 @@ struct Mission {
   Vec2 goal_world = Vec2::Zero();
   double goal_tolerance_m = 0.2;
   double cruise_height_m = 1;  // of the centre of mass; 0 for what rolls on the ground
-  // Where the vehicle's centre may be. Memory for known-free space grows with their area.
+  // Where the vehicle's centre may be: for planners and governor alike. Memory for known-free space
+  // grows with their area.
   Bounds bounds_world{Vec2(-10, -10), Vec2(10, 10)};
 };
-
-// The bounds are no wall: a path along them needs room for the vehicle to be beside it. Start and
-// goal lie within the bounds that are planned in, in any case.
-inline constexpr double kPlanningInset_m = 0.15;
 
 // A vehicle that flies rises before it sets off, or it would leave the ground slanting. It has its
 // height when it is this close and this slow: what is left then is gone before the first corner.

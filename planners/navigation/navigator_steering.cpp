@@ -12,6 +12,8 @@ namespace {
 constexpr double kRepulsionMax = 2;
 // What is left of a direction and a repulsion that cancel has none.
 constexpr double kNoDirection = 0.1;
+// Beyond what the governor keeps from the bounds, a heading turns inwards within so much.
+constexpr double kRoomToBounds_m = 0.02;
 
 }  // namespace
 
@@ -30,6 +32,7 @@ Setpoint Navigator::steer(const VehicleState& state, double now_s) {
                                   : KnownClearance::planned;
   Vec2 towards = way.norm() > 0 ? Vec2(way.normalized()) : setpoint.heading_world;
   if (way.norm() > 0 && kept == KnownClearance::planned) towards = repulsive_heading(towards, p);
+  towards = kept_within_bounds(towards, state);
   const double speed_m_s =
       speed_limit_m_s(config_.navigation.speed_rule, belief_, towards, braking_,
                       config_.navigation.reaction_time_s, ahead.speed_limit_m_s);
@@ -87,6 +90,25 @@ Vec2 Navigator::repulsive_heading(const Vec2& towards, const Vec2& p_world) cons
   const Vec2 blended = towards + (repulsion / distance_m) * from_nearest;
   return blended.norm() > kNoDirection ? Vec2(blended.normalized())
                                        : Vec2(from_nearest / distance_m);
+}
+
+// Beside the bounds, where the governor lets nothing go on outwards, a heading leads along them and
+// inwards.
+Vec2 Navigator::kept_within_bounds(const Vec2& towards, const VehicleState& state) const {
+  if (!governor_) return towards;
+  const double room_m = governor_->room_to_bounds_m(state) + kRoomToBounds_m;
+  const Vec2 p = state.p_world.head<2>();
+  const Bounds& bounds = config_.mission.bounds_world;
+  Vec2 kept = towards;
+  for (const int axis : {0, 1}) {
+    for (const double inwards : {1.0, -1.0}) {
+      const double inside_m = inwards > 0 ? p[axis] - bounds.min[axis] : bounds.max[axis] - p[axis];
+      if (inside_m >= room_m) continue;
+      const double repulsion = std::min(kRepulsionMax, (room_m - inside_m) / kRoomToBounds_m);
+      kept[axis] = inwards * (std::max(0.0, inwards * kept[axis]) + repulsion);
+    }
+  }
+  return kept.norm() > kNoDirection ? Vec2(kept.normalized()) : towards;
 }
 
 VelocityCommand Navigator::govern(const Vec2& v_wanted_m_s, const VehicleState& state,

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 #include "voronaut/planners/navigation/departure.h"
 
@@ -21,12 +22,22 @@ constexpr double kRounding_m = 1e-6;
 
 }  // namespace
 
+const Bounds SafetyGovernor::kEverywhere{Vec2::Constant(-std::numeric_limits<double>::infinity()),
+                                         Vec2::Constant(std::numeric_limits<double>::infinity())};
+
 SafetyGovernor::SafetyGovernor(const VelocityResponse& response, double body_radius_m,
-                               double clearance_min_m, double hold_s)
+                               double clearance_min_m, double hold_s,
+                               const Bounds& centre_bounds_world)
     : response_(response),
       body_radius_m_(body_radius_m),
       keep_from_known_m_(clearance_min_m - kKnownMargin_m),
-      hold_s_(hold_s) {}
+      hold_s_(hold_s),
+      centre_bounds_world_(centre_bounds_world) {}
+
+double SafetyGovernor::room_to_bounds_m(const VehicleState& state) const {
+  const PlanarMotion now = response_.motion_of(state);
+  return response_.error_m(now, now.v_m_s) + kStraight_m;
+}
 
 const GovernedVelocity& SafetyGovernor::allow(const Vec2& v_wanted_world, const VehicleState& state,
                                               const FreeSpace& free, const ObstacleSnapshot& known,
@@ -93,15 +104,16 @@ bool SafetyGovernor::is_safe(double speed_scale, const Vec2& v_wanted_world,
                              const PlanarMotion& now, const FreeSpace& free,
                              const ObstacleSnapshot& known, double keep_m) {
   const double radius_m = tube_radius_m(speed_scale, v_wanted_world, now);
-  response_.predict_stop(now, v_before_, command_at(speed_scale, v_wanted_world, now), hold_s_,
-                         kSample_s, track_);
+  const Vec2 v_command_m_s = command_at(speed_scale, v_wanted_world, now);
+  response_.predict_stop(now, v_before_, v_command_m_s, hold_s_, kSample_s, track_);
   straighten_track();
+  if (!keeps_to_bounds(v_command_m_s, now, radius_m - body_radius_m_)) return false;
   for (std::size_t i = 0; i + 1 < corners_.size(); ++i) {
     if (!known.swept_disc_is_clear(corners_[i], corners_[i + 1], keep_m)) return false;
   }
   for (std::size_t i = 0; i + 1 < corners_.size(); ++i) {
     if (!free.swept_disc_is_free(corners_[i], corners_[i + 1], radius_m)) {
-      return departs(command_at(speed_scale, v_wanted_world, now), now, free, radius_m);
+      return departs(v_command_m_s, now, free, radius_m);
     }
   }
   return true;
@@ -112,6 +124,22 @@ bool SafetyGovernor::departs(const Vec2& v_command_m_s, const PlanarMotion& now,
   if (std::max(v_command_m_s.norm(), now.v_m_s.norm()) > kDepartureSpeed_m_s) return false;
   free.unknown_cells_in_tube(corners_, radius_m, unknown_cells_);
   return leads_away(v_command_m_s, corners_, unknown_cells_);
+}
+
+bool SafetyGovernor::keeps_to_bounds(const Vec2& v_command_m_s, const PlanarMotion& now,
+                                     double room_m) {
+  const Bounds& bounds = centre_bounds_world_;
+  outside_.clear();
+  for (const int axis : {0, 1}) {
+    const auto [lowest, highest] =
+        std::ranges::minmax(corners_, {}, [axis](const Vec2& corner) { return corner[axis]; });
+    if (lowest[axis] < bounds.min[axis] + room_m) outside_.emplace_back(now.p_m - Vec2::Unit(axis));
+    if (highest[axis] > bounds.max[axis] - room_m)
+      outside_.emplace_back(now.p_m + Vec2::Unit(axis));
+  }
+  if (outside_.empty()) return true;
+  return std::max(v_command_m_s.norm(), now.v_m_s.norm()) <= kDepartureSpeed_m_s &&
+         leads_away(v_command_m_s, corners_, outside_);
 }
 
 // Sleeve fitting: a segment goes on as long as its end is seen from its start between both sides of

@@ -46,6 +46,9 @@ struct GovernedVelocity {
 // At rest or slow, a command may also lead away from whatever unknown cells its tube touches
 // (planners/navigation/departure.h): what stands there was not touched before either.
 //
+// The bounds hold the centre as a wall would that nobody sees: a track keeps from them what a stop
+// may stray; from closer by, a slow command leads inwards as it leads away from unknown cells.
+//
 // Besides, a track keeps min(clearance_min_m - kKnownMargin_m, the clearance there is now) from
 // known points: closer than that planner and governor would wait for each other.
 //
@@ -54,12 +57,17 @@ struct GovernedVelocity {
 class SafetyGovernor {
  public:
   static constexpr double kKnownMargin_m = 0.03;
+  static const Bounds kEverywhere;
   // What is commanded lies beyond the velocity wanted, v + kLead (wanted - v), so that the vehicle
   // gets there with a velocity loop kLead times as fast as its regulator's.
   static constexpr double kLead = 1.6;
 
+  // `centre_bounds_world`: where the centre may be.
   SafetyGovernor(const VelocityResponse& response, double body_radius_m, double clearance_min_m,
-                 double hold_s);
+                 double hold_s, const Bounds& centre_bounds_world = kEverywhere);
+
+  // What a track at the present speed keeps from the bounds.
+  double room_to_bounds_m(const VehicleState& state) const;
 
   // The fastest of a few scales of v_wanted_world [m/s] that is safe from `state` on. Zero is
   // braking, which is always allowed. O(time to rest), a few thousand instructions for each scale
@@ -79,12 +87,15 @@ class SafetyGovernor {
   // What unknown cells the tube touches, a slow command leaves behind.
   bool departs(const Vec2& v_command_m_s, const PlanarMotion& now, const FreeSpace& free,
                double radius_m);
+  // The track keeps room_m from the bounds, or leads inwards from where it does not.
+  bool keeps_to_bounds(const Vec2& v_command_m_s, const PlanarMotion& now, double room_m);
   void straighten_track();
 
   VelocityResponse response_;
   double body_radius_m_;
   double keep_from_known_m_;
   double hold_s_;
+  Bounds centre_bounds_world_;
   Vec2 v_before_ = Vec2::Zero();
   GovernedVelocity allowed_;
   std::vector<Vec2> track_;            // as predicted
@@ -93,6 +104,7 @@ class SafetyGovernor {
   std::vector<Vec2> refused_corners_;  // of the smallest found unsafe
   std::size_t level_ = 0;              // number of the scale allowed before
   std::vector<Vec2> unknown_cells_;
+  std::vector<Vec2> outside_;  // a place beyond each side of the bounds that is too close
 };
 
 }  // namespace voronaut

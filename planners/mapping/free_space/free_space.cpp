@@ -234,13 +234,13 @@ void FreeSpace::commit_window() {
 void FreeSpace::mark_disc(const Vec2& p_world, double radius_m) {
   const Vec2 center = to_cells(p_world);
   const double radius = radius_m / cell_m_;
-  const int first = std::max(0, floor_of(center.y() - radius));
-  const int last = std::min(rows_ - 1, floor_of(center.y() + radius));
+  const int first = std::max(0, ceil_of(center.y() - radius));
+  const int last = std::min(rows_ - 1, floor_of(center.y() + radius) - 1);
   for (int row = first; row <= last; ++row) {
-    const double away = std::max({0.0, row - center.y(), center.y() - (row + 1)});
+    const double away = std::max(center.y() - row, row + 1 - center.y());  // of its farther edge
     const double half = std::sqrt(std::max(0.0, radius * radius - away * away));
-    const int from = std::max(0, floor_of(center.x() - half));
-    const int to = std::min(columns_ - 1, floor_of(center.x() + half));
+    const int from = std::max(0, ceil_of(center.x() - half));
+    const int to = std::min(columns_ - 1, floor_of(center.x() + half) - 1);
     if (from <= to) {
       set_columns(free_.data() + static_cast<std::size_t>(row) * words_per_row_,
                   static_cast<unsigned>(from), static_cast<unsigned>(to));

@@ -34,7 +34,7 @@ class FreeSpace {
   // measurement proves nothing. No allocation in steady state.
   void update(const Scan& scan);
 
-  // The body is known to stand in free space at the start.
+  // What lies wholly within this disc is free: the body stands there at the start.
   void mark_disc(const Vec2& p_world, double radius_m);
 
   bool is_free(const Vec2& p_world) const;

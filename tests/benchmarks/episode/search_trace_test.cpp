@@ -37,10 +37,18 @@ std::vector<std::vector<Segment>> random_searches(std::uint64_t seed) {
   return searches;
 }
 
+Trace trace_of(const std::vector<std::vector<Segment>>& searches,
+               std::size_t most_edges = kMostTraceEdges) {
+  SearchHistory history(most_edges);
+  for (const auto& search : searches) history.add(search);
+  Trace trace;
+  history.write_to(trace);
+  return trace;
+}
+
 TEST(SearchTrace, EverySearchReadsBackWhole) {
   const auto searches = random_searches(1);
-  Trace trace;
-  add_searches(searches, trace);
+  const Trace trace = trace_of(searches);
   EXPECT_EQ(trace.searches, 20);
   EXPECT_EQ(trace.kept_searches, 20);
   std::size_t told = 0;
@@ -57,16 +65,31 @@ TEST(SearchTrace, EverySearchReadsBackWhole) {
 
 TEST(SearchTrace, WhatHasNoRoomIsLeftOutFromASearchOn) {
   const auto searches = random_searches(2);
-  Trace whole;
-  add_searches(searches, whole);
-  Trace trace;
-  add_searches(searches, trace, 60);
+  const Trace whole = trace_of(searches);
+  const Trace trace = trace_of(searches, 60);
   EXPECT_EQ(trace.searches, 20);
   ASSERT_GT(trace.kept_searches, 0);
   ASSERT_LT(trace.kept_searches, 20);
   EXPECT_LE(trace.edges.size(), 60U);
   for (int s = 0; s < trace.kept_searches; ++s) EXPECT_EQ(kept(trace, s), kept(whole, s));
   for (const TraceEdge& edge : trace.edges) EXPECT_LT(edge.last_search, trace.kept_searches);
+}
+
+TEST(SearchTrace, IsFullWithTheFirstSearchThatHasNoRoomAndOnlyCountsFromThen) {
+  SearchHistory history(60);
+  std::vector<Segment> huge(100'000);
+  for (std::size_t i = 0; i < huge.size(); ++i)
+    huge[i] = {{0, 0}, {1, 0.01 * static_cast<double>(i)}};
+  history.add(std::span(huge).first(10));
+  EXPECT_FALSE(history.full());
+  history.add(huge);
+  EXPECT_TRUE(history.full());
+  history.add({});
+  Trace trace;
+  history.write_to(trace);
+  EXPECT_EQ(trace.searches, 3);
+  EXPECT_EQ(trace.kept_searches, 1);
+  EXPECT_EQ(trace.edges.size(), 10U);
 }
 
 }  // namespace

@@ -143,7 +143,7 @@ TEST(SafetyGovernor, NamesThePlaceThatNobodyKnows) {
       velocity_response(find_regulator("ideal"), find_vehicle("ideal"), kPeriod_s), kBodyRadius_m,
       kClearance_m, 0.05);
   FreeSpace free(kBounds);
-  free.mark_disc(Vec2(0, 0), 0.3);
+  free.mark_disc(Vec2(0, 0), 0.35);
   const VehicleState state = make_model(find_vehicle("ideal").model)->at_rest({0, 0, 1}, {1, 0});
   const GovernedVelocity allowed =
       governor.allow(Vec2(2.5, 0), state, free, {}, KnownClearance::planned);
@@ -295,6 +295,51 @@ TEST(SafetyGovernor, AtReducedClearanceAsksOnlyForWhatIsKnownFree) {
   const VehicleState state = make_model(find_vehicle("ideal").model)->at_rest({0, 0, 1}, {1, 0});
   EXPECT_EQ(governor.allow(Vec2(1, 0), state, free, known, KnownClearance::planned).speed_scale, 0);
   EXPECT_GT(governor.allow(Vec2(1, 0), state, free, known, KnownClearance::reduced).speed_scale, 0);
+}
+
+// How far the centre comes out of the bounds at worst [m], negative inside: a pilot who wants to be
+// anywhere else, full speed, where all in reach is known to be free.
+double farthest_out_m(const std::string& name, const Vec2& start, std::uint64_t seed) {
+  const Bounds bounds{Vec2(-1, -1), Vec2(1, 1)};
+  const VehicleSpec spec = vehicle(name);
+  const RegulatorConfig regulator_config = regulator(spec.regulator);
+  SafetyGovernor governor(velocity_response(regulator_config, spec, kPeriod_s), kBodyRadius_m,
+                          kClearance_m, kStepsPerScan * kPeriod_s, bounds);
+  FreeSpace free(kBounds);
+  free.mark_disc(Vec2(0, 0), 4);
+  const auto model = make_model(spec.model);
+  const auto pilot = make_regulator(regulator_config, spec);
+  VehicleState state = model->at_rest({start.x(), start.y(), 1}, {1, 0});
+  pilot->reset(state);
+  Command pending = model->hold();
+  Setpoint setpoint;
+  setpoint.height_m = 1;
+  Random random(seed);
+  Vec2 wanted(0, 0);
+  double worst_m = -1;
+  for (int step = 0; step < 6000; ++step) {
+    const Vec2 p = state.p_world.head<2>();
+    if (step % 100 == 0) wanted = 2.5 * Vec2(random.uniform(-1, 1), random.uniform(-1, 1));
+    if (step % kStepsPerScan == 0)
+      setpoint.motion = VelocityCommand{governor.allow(wanted, state, free, {}).v_world};
+    worst_m = std::max({worst_m, (p - bounds.max).maxCoeff(), (bounds.min - p).maxCoeff()});
+    const Command next = pilot->regulate(setpoint, state);
+    state = model->step(state, pending, kPeriod_s);
+    pending = next;
+  }
+  return worst_m;
+}
+
+TEST(SafetyGovernor, HoldsTheCentreWithinTheBoundsAndLetsItLeaveTheirEdgeInwards) {
+  for (const char* name : {"ideal", "quadrotor"}) {
+    for (const Vec2& start : {Vec2(0, 0), Vec2(-1, 0), Vec2(1, 1), Vec2(0.3, -0.999)}) {
+      for (std::uint64_t seed = 1; seed <= 5; ++seed) {
+        const double out_m = farthest_out_m(name, start, seed);
+        EXPECT_LE(out_m, start.cwiseAbs().maxCoeff() == 1 ? 1e-9 : 0.0) << name << " " << seed;
+        EXPECT_GT(out_m, -0.1) << "uses the room there is";
+      }
+    }
+  }
 }
 
 // Each condition of the proof, broken: the vehicle touches.

@@ -42,6 +42,27 @@ TEST(FreeSpace, KnowsNothingBeforeTheFirstScanAndNothingOutsideItsBounds) {
   EXPECT_FALSE(space.swept_disc_is_free(Vec2(3.9, 0), Vec2(3.9, 0), 0.3));
 }
 
+// A wall may begin right beside the body.
+TEST(FreeSpace, ABodyProvesWhatLiesWhollyWithinItAndNothingBeside) {
+  Random random(3);
+  for (int round = 0; round < 50; ++round) {
+    FreeSpace space(kBounds);
+    const Vec2 p(random.uniform(-2, 2), random.uniform(-2, 2));
+    const double radius_m = random.uniform(0.02, 0.6);
+    space.mark_disc(p, radius_m);
+    for (int row = -80; row < 80; ++row) {
+      for (int column = -80; column < 80; ++column) {
+        const Vec2 low(column * space.cell_m(), row * space.cell_m());
+        const Vec2 high = low + Vec2::Constant(space.cell_m());
+        const Vec2 farthest = (p - low).cwiseAbs().cwiseMax((p - high).cwiseAbs());
+        if (std::abs(farthest.norm() - radius_m) < 1e-9) continue;
+        ASSERT_EQ(space.is_free(0.5 * (low + high)), farthest.norm() < radius_m)
+            << round << ": " << column << ", " << row;
+      }
+    }
+  }
+}
+
 TEST(FreeSpace, AClearViewIsFreeWithinTheFieldOfViewAndTheRange) {
   FreeSpace space(kBounds);
   space.update(look(Vec2(0, 0), Vec2(1, 0), {}));
