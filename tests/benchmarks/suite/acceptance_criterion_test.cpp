@@ -93,7 +93,7 @@ TEST(AcceptanceCriterion, JudgesPathsAgainstTheShortestAtTheClearanceThatPlanner
   criterion.bound("path_ratio_at_clearance_mean_max") = 1.26;
   EXPECT_TRUE(examine(criterion, many).holds);
   EXPECT_EQ(examine(criterion, many).text,
-            "every trial: path ratio at clearance_min_m mean <= 1.26 (1.250 over 120)");
+            "every trial: path ratio at planning_clearance_m mean <= 1.26 (1.250 over 120)");
   criterion.bound("path_ratio_at_clearance_mean_max") = 1.2;
   EXPECT_FALSE(examine(criterion, many).holds);
 }

@@ -153,13 +153,13 @@ TEST(SuiteConfig, SaysInOneLineWhatIsWrong) {
        "s.yaml:1: key 'scenarios': missing"},
       {"suite: s\nplanners: [RRTConnect]", "s.yaml:1: key 'vehicles': missing"},
       {suite_with("suite", "../s"),
-       "s.yaml:1: key 'suite': expected a name of letters, digits, '-', '_' and '.', got '../s'"},
+       "s.yaml:1: key 'suite': expected a name of at most 100 letters, digits, '-', '_' and '.', "
+       "got '../s'"},
       {suite_with("suite", ""), "s.yaml:1: key 'suite': expected text, got nothing"},
       {suite_with("suite", "[a]"), "s.yaml:1: key 'suite': expected text, got a list of 1"},
       {suite_with("kind", "parked"),
        "s.yaml:5: key 'kind': expected one of flown, static, got 'parked'"},
-      {suite_with("kind", "known"),
-       "s.yaml:5: key 'kind': 'known' is called 'static' now (allowed: flown, static)"},
+      {suite_with("kind", "known"), "s.yaml:5: key 'kind': 'known' is now 'static'"},
       {suite_with("seed", "-1"),
        "s.yaml:5: key 'seed': " + count + "0 to 9223372036854775807, got '-1'"},
       {suite_with("seed", "1.5"),
@@ -196,7 +196,8 @@ TEST(SuiteConfig, SaysInOneLineWhatIsWrong) {
        "label"},
       {suite_with("vehicles", "[{label: a}]"), "s.yaml:3: key 'vehicles[0].name': missing"},
       {suite_with("vehicles", "[{name: quadrotor, label: ''}]"),
-       "s.yaml:3: key 'vehicles[0].label': expected a label, got ''"},
+       "s.yaml:3: key 'vehicles[0].label': expected a label of 1 to 200 bytes without line breaks "
+       "or control characters, got 0 bytes, ''"},
       {suite_with("vehicles", "[{name: quadrotor, params: {body_radius_m: -1}}]"),
        "s.yaml:3: key 'vehicles[0].params.body_radius_m': expected a number from 0.001 to 10, got "
        "'-1'"},

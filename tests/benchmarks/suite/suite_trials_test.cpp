@@ -99,16 +99,15 @@ TEST(TrialId, IsTheHashOfATextThatSaysEverything) {
   EXPECT_EQ(trial.world_id, world);
   EXPECT_EQ(trial.planner_seed, 4417673679995516535U);
   const std::string text = canonical_trial(trial);
-  EXPECT_THAT(
-      text,
-      StartsWith("trial: suite=golden;scenario=open;group=open;world_id=" + world +
-                 ";start_height_m=0;cruise_height_m=1;start_heading=0.7071067811865475,"
-                 "0.7071067811865475;goal_tolerance_m=0.2;vehicle=quadrotor;regulator=pd_"
-                 "rate;planner=a;planner_name=RRTConnect;repetition=0;planner_seed="
-                 "4417673679995516535;state_checks=50000;ptc_evaluations=200000;stop=budget;\n"
-                 "params: \nvehicle: body_radius_m=0.25;planning_clearance_m=0.4;"));
+  EXPECT_THAT(text,
+              StartsWith("trial: suite=golden;scenario=open;group=open;world_id=" + world +
+                         ";start_height_m=0;cruise_height_m=1;start_heading=0.7071067811865475,"
+                         "0.7071067811865475;goal_tolerance_m=0.2;vehicle=quadrotor;regulator=pd_"
+                         "rate;planner=a;planner_name=RRTConnect;repetition=0;planner_seed="
+                         "4417673679995516535;\n"
+                         "params: \nvehicle: body_radius_m=0.25;planning_clearance_m=0.4;"));
   for (const char* section :
-       {"model", "regulator", "range_finder", "mapping", "navigation", "loop"})
+       {"model", "regulator", "range_finder", "mapping", "navigation", "loop", "budget"})
     EXPECT_THAT(text, HasSubstr("\n" + std::string(section) + ": "));
   EXPECT_EQ(trial.trial_id, sha256_hex(text));
 }
