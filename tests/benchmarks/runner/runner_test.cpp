@@ -175,7 +175,7 @@ int run_and_signal(const SuiteConfig& suite, const FlyTrial& fly,
 void expect_completion(int signal) {
   const TemporaryFolder folder;
   const auto database = folder.path() / "results.db";
-  const SuiteConfig suite = small_suite("killed", kCalm, 20);
+  const SuiteConfig suite = small_suite("killed", kCalm, 8);
   const TemporaryFolder notes;
   const FlyTrial flown_until_noted = [&](const TrialSpec& spec, bool) {
     if (spec.repetition == 5) {
@@ -192,13 +192,13 @@ void expect_completion(int signal) {
     EXPECT_TRUE(WIFEXITED(status) && WEXITSTATUS(status) == 1) << status;
   }
   const RunReport rest = run(suite, calm(), 2, database);
-  EXPECT_EQ(rest.stored + rest.done, 120U);
+  EXPECT_EQ(rest.stored + rest.done, 48U);
   EXPECT_GT(rest.done, 0U);
   const auto records = ResultStore::open(database).records();
-  EXPECT_EQ(records.size(), 120U);
+  EXPECT_EQ(records.size(), 48U);
   std::set<std::string> ids;
   for (const RunRecord& record : records) ids.insert(record.trial_id);
-  EXPECT_EQ(ids.size(), 120U);
+  EXPECT_EQ(ids.size(), 48U);
   run(suite, calm(), 1, folder.path() / "whole.db");
   EXPECT_EQ(digest(records), digest(ResultStore::open(folder.path() / "whole.db").records()));
 }
