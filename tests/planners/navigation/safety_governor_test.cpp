@@ -301,14 +301,14 @@ TEST(SafetyGovernor, AtReducedClearanceAsksOnlyForWhatIsKnownFree) {
 // anywhere else, full speed, where all in reach is known to be free.
 double farthest_out_m(const std::string& name, const Vec2& start, std::uint64_t seed) {
   const Bounds bounds{Vec2(-1, -1), Vec2(1, 1)};
-  const VehicleSpec spec = vehicle(name);
-  const RegulatorConfig regulator_config = regulator(spec.regulator);
+  const VehicleSpec spec = find_vehicle(name);
+  const RegulatorConfig regulator_config = find_regulator(spec.regulator);
   SafetyGovernor governor(velocity_response(regulator_config, spec, kPeriod_s), kBodyRadius_m,
                           kClearance_m, kStepsPerScan * kPeriod_s, bounds);
   FreeSpace free(kBounds);
   free.mark_disc(Vec2(0, 0), 4);
   const auto model = make_model(spec.model);
-  const auto pilot = make_regulator(regulator_config, spec);
+  const auto pilot = make_regulator(regulator_config, spec, kPeriod_s);
   VehicleState state = model->at_rest({start.x(), start.y(), 1}, {1, 0});
   pilot->reset(state);
   Command pending = model->hold();
@@ -321,7 +321,8 @@ double farthest_out_m(const std::string& name, const Vec2& start, std::uint64_t 
     const Vec2 p = state.p_world.head<2>();
     if (step % 100 == 0) wanted = 2.5 * Vec2(random.uniform(-1, 1), random.uniform(-1, 1));
     if (step % kStepsPerScan == 0)
-      setpoint.motion = VelocityCommand{governor.allow(wanted, state, free, {}).v_world};
+      setpoint.motion =
+          VelocityCommand{governor.allow(wanted, state, free, {}, KnownClearance::planned).v_world};
     worst_m = std::max({worst_m, (p - bounds.max).maxCoeff(), (bounds.min - p).maxCoeff()});
     const Command next = pilot->regulate(setpoint, state);
     state = model->step(state, pending, kPeriod_s);
