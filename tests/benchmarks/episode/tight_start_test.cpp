@@ -19,7 +19,9 @@ std::vector<RunRecord> flown(const std::string& scenarios, const std::string& ve
   const SuiteConfig suite =
       read_suite(ConfigNode::parse("suite: tight\nscenarios:\n" + scenarios +
                                        "vehicles: " + vehicles + "\nplanners: " + planners +
-                                       "\nmapping: {merge_distance_m: 0.64}\ntraces: none\n",
+                                       "\nmapping: {merge_distance_m: 0.64}\ntraces: none\n"
+                                       "navigation: {governor: true, look_around: true, "
+                                       "recovery: true, yaw_policy: path}\n",
                                    "tight.yaml"),
                  "", catalog);
   const FlyTrial fly = [&](const TrialSpec& spec, bool keep_trace) {

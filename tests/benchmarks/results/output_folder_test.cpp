@@ -45,7 +45,7 @@ class Folder : public ::testing::Test {
   int voronaut(const std::string& arguments, const std::string& before = "") {
     const std::string command = "cd '" + folder_.path().string() + "' && ( " + before + " '" +
                                 VORONAUT_PROGRAM + "' " + arguments +
-                                " ; echo $? >code.txt ) 2>&1 | cat >said.txt";
+                                " ; echo \\$? >code.txt ) 2>&1 | cat >said.txt";
     static_cast<void>(std::system(("env -u VORONAUT_DATA sh -c \"" + command + "\"").c_str()));
     return std::atoi(text_of("code.txt").c_str());
   }
