@@ -29,7 +29,8 @@ std::string error_of(const std::string& file, const DataLocation& data = {}) {
 
 const std::map<std::string, std::string> kMessages = {
     {"bad_name.yaml",
-     "bad_name.yaml:1: key 'name': expected a name of letters, digits and _-.+, at most 200, got 'a/b'"},
+     "bad_name.yaml:1: key 'name': expected a name of letters, digits and _-.+, at most 200, got "
+     "'a/b'"},
     {"binary.yaml", "binary.yaml:1: not a text file (byte 0)"},
     {"bounds_inside_out.yaml",
      "bounds_inside_out.yaml:2: key 'bounds': expected [[xmin, ymin], [xmax, ymax]] with xmin < "
