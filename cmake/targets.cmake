@@ -60,6 +60,20 @@ function(voronaut_precompiled_set set)
     ${voronaut_precompiled_of_all} ${ARG_HEADERS})
 endfunction()
 
+# One folder is one translation unit where nobody edits it all day: what its headers instantiate is
+# compiled once. A source with options of its own stays alone.
+function(voronaut_unite target)
+  get_target_property(sources ${target} SOURCES)
+  foreach(source ${sources})
+    cmake_path(GET source PARENT_PATH folder)
+    string(MAKE_C_IDENTIFIER "of_${folder}" group)
+    set_source_files_properties(${source} PROPERTIES UNITY_GROUP ${group})
+  endforeach()
+  set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_MODE GROUP)
+  # A source that is included looks to gcc like a header that others include too.
+  target_compile_options(${target} PRIVATE $<$<CXX_COMPILER_ID:GNU>:-Wno-subobject-linkage>)
+endfunction()
+
 function(voronaut_precompile target set)
   target_precompile_headers(${target} REUSE_FROM voronaut_precompiled_${set})
 endfunction()
@@ -70,21 +84,33 @@ set_target_properties(voronaut_precompiled_library voronaut_precompiled_planner 
   POSITION_INDEPENDENT_CODE ON)
 voronaut_precompiled_set(program HEADERS <ompl/base/Planner.h> LIBRARIES voronaut_ompl)
 
-# voronaut_cold_sources(<sources>): read a command line or write a page, once. Optimising them would
-# cost the compiler more seconds than all their runs take.
-function(voronaut_cold_sources)
-  set_source_files_properties(${ARGN} PROPERTIES
-    COMPILE_OPTIONS "$<$<CONFIG:Release,RelWithDebInfo>:-O1>")
+# What is run once (a command line is read, a page is written) is optimised less: it would cost the
+# compiler more seconds than all its runs take.
+function(voronaut_cold_objects name set sources libraries)
+  add_library(${name} OBJECT ${sources})
+  set_target_properties(${name} PROPERTIES POSITION_INDEPENDENT_CODE ON CXX_EXTENSIONS OFF)
+  target_include_directories(${name} PRIVATE ${VORONAUT_INCLUDE_ROOT})
+  target_link_libraries(${name} PRIVATE voronaut_determinism voronaut_build_options ${libraries})
+  target_compile_options(${name} PRIVATE $<$<CONFIG:Release,RelWithDebInfo>:-O1>)
+  voronaut_precompile(${name} ${set})
+  if(VORONAUT_UNITED)
+    voronaut_unite(${name})
+  endif()
 endfunction()
 
-# voronaut_library(<folder> SOURCES ... PUBLIC <libs> PRIVATE <libs> [PRECOMPILED <set>])
-# -> voronaut::<folder>
+# voronaut_library(<folder> SOURCES ... [COLD <sources>] PUBLIC <libs> PRIVATE <libs>
+#                  [PRECOMPILED <set>]) -> voronaut::<folder>
 function(voronaut_library name)
-  cmake_parse_arguments(ARG "" "PRECOMPILED" "SOURCES;PUBLIC;PRIVATE" ${ARGN})
+  cmake_parse_arguments(ARG "" "PRECOMPILED" "SOURCES;COLD;PUBLIC;PRIVATE" ${ARGN})
   if(NOT ARG_PRECOMPILED)
     set(ARG_PRECOMPILED library)
   endif()
   add_library(voronaut_${name} STATIC ${ARG_SOURCES})
+  if(ARG_COLD)
+    voronaut_cold_objects(voronaut_${name}_cold ${ARG_PRECOMPILED} "${ARG_COLD}"
+      "${ARG_PUBLIC};${ARG_PRIVATE}")
+    target_sources(voronaut_${name} PRIVATE $<TARGET_OBJECTS:voronaut_${name}_cold>)
+  endif()
   add_library(voronaut::${name} ALIAS voronaut_${name})
   set_target_properties(voronaut_${name} PROPERTIES
     EXPORT_NAME ${name} POSITION_INDEPENDENT_CODE ON CXX_EXTENSIONS OFF)
@@ -94,6 +120,9 @@ function(voronaut_library name)
     PUBLIC voronaut_determinism ${ARG_PUBLIC}
     PRIVATE $<BUILD_INTERFACE:voronaut_build_options> ${ARG_PRIVATE})
   voronaut_precompile(voronaut_${name} ${ARG_PRECOMPILED})
+  if(VORONAUT_UNITED)
+    voronaut_unite(voronaut_${name})
+  endif()
   set_property(GLOBAL APPEND PROPERTY VORONAUT_LIBRARIES voronaut_${name})
 endfunction()
 

@@ -15,7 +15,7 @@ using Eigen::Vector2d;
 constexpr double kLinear_m_s2 = 2;
 constexpr double kStraightWay_m = 0.002;
 constexpr double kHorizon_s = 4;
-constexpr double kMinCosTilt = 0.25;
+constexpr double kMinThrustCosine = 0.25;
 
 Vector2d shortened(const Vector2d& v, double length) {
   const double square = v.squaredNorm();
@@ -93,7 +93,7 @@ PlanarMotion VelocityResponse::motion_of(const VehicleState& state) const {
   const Eigen::Matrix3d r = state.q_world_body.toRotationMatrix();
   const Eigen::Vector3d axis = r.col(2);
   const Eigen::Vector3d turning = r.col(0) * state.w_body.y() - r.col(1) * state.w_body.x();
-  const double cosine = std::max(axis.z(), kMinCosTilt);
+  const double cosine = std::max(axis.z(), kMinThrustCosine);
   m.a_m_s2 = (gravity_m_s2 / cosine) * axis.head<2>();
   m.j_m_s3 = (gravity_m_s2 / (cosine * cosine)) *
              (cosine * turning.head<2>() - turning.z() * axis.head<2>());

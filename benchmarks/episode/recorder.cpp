@@ -3,19 +3,9 @@
 #include <algorithm>
 #include <utility>
 
+#include "voronaut/benchmarks/episode/index_of.h"
+
 namespace voronaut {
-
-namespace {
-
-int index_of(std::vector<std::string>& names, const std::string& name) {
-  if (name.empty()) return -1;
-  const auto known = std::find(names.begin(), names.end(), name);
-  if (known != names.end()) return static_cast<int>(known - names.begin());
-  names.push_back(name);
-  return static_cast<int>(names.size()) - 1;
-}
-
-}  // namespace
 
 Recorder::Recorder(const World& world, Navigator& navigator, bool keep_scans)
     : world_(world), navigator_(navigator), keep_scans_(keep_scans) {

@@ -9,7 +9,7 @@ namespace voronaut {
 namespace {
 
 // Bounds of VelocityResponse::error_m that tests/dynamics/velocity_response_test.cpp holds.
-constexpr double kStopErrorAtRest_m = 0.006;
+constexpr double kIdealStopErrorAtRest_m = 0.006;
 constexpr double kStopError_s = 0.001;
 
 }  // namespace
@@ -51,7 +51,7 @@ VelocityResponse IdealRegulator::velocity_response() const {
   response.period_s = period_s_;
   response.k_1_s = law.k_1_s;
   response.a_max_m_s2 = law.a_m_s2;
-  response.error_at_rest_m = kStopErrorAtRest_m;
+  response.error_at_rest_m = kIdealStopErrorAtRest_m;
   response.error_per_speed_s = kStopError_s;
   return response;
 }

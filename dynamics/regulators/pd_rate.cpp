@@ -16,7 +16,7 @@ constexpr double kYawAuthority = 0.15;  // of hover speed
 constexpr double kMinCosTilt = 0.25;    // the thrust is not raised for more tilt than that
 
 // Bounds of VelocityResponse::error_m that tests/dynamics/velocity_response_test.cpp holds.
-constexpr double kStopErrorAtRest_m = 0.014;
+constexpr double kPdRateStopErrorAtRest_m = 0.014;
 constexpr double kAgileStopError_s = 0.008;    // on the corrected inertia
 constexpr double kSluggishStopError_s = 0.08;  // on the printed one the rotors saturate
 
@@ -167,7 +167,7 @@ VelocityResponse PdRate::velocity_response() const {
   response.gain_1_s2 = vehicle_.gravity_m_s2 * kappa * gains_.kd;
   response.damping_1_s = kappa * gains_.kq;
   response.push_max_m_s4 = vehicle_.gravity_m_s2 * kappa * 2 * room_rad_s;
-  response.error_at_rest_m = kStopErrorAtRest_m;
+  response.error_at_rest_m = kPdRateStopErrorAtRest_m;
   response.error_per_speed_s = vehicle_.inertia == QuadrotorConfig::InertiaSet::corrected
                                    ? kAgileStopError_s
                                    : kSluggishStopError_s;

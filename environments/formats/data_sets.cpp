@@ -16,8 +16,6 @@
 namespace voronaut {
 namespace {
 
-constexpr double kFar = kFarthestCoordinate;
-
 // One world that an index lists, with the ways through it; its own file is read only if it is
 // selected.
 struct Course {
@@ -40,10 +38,10 @@ Courses list_barn(const std::string& folder, const ForeignOptions&) {
     std::string number = table.text(row, "world");
     number.insert(0, 3 - std::min<std::size_t>(number.size(), 3), '0');
     ForeignQuery query;
-    query.start = {table.number(row, "start_x", -kFar, kFar),
-                   table.number(row, "start_y", -kFar, kFar)};
-    query.goal = {table.number(row, "goal_x", -kFar, kFar),
-                  table.number(row, "goal_y", -kFar, kFar)};
+    query.start = {table.number(row, "start_x", -kFarthestCoordinate, kFarthestCoordinate),
+                   table.number(row, "start_y", -kFarthestCoordinate, kFarthestCoordinate)};
+    query.goal = {table.number(row, "goal_x", -kFarthestCoordinate, kFarthestCoordinate),
+                  table.number(row, "goal_y", -kFarthestCoordinate, kFarthestCoordinate)};
     std::string file = folder;
     file.append("/obstacles/world_").append(number).append(".csv");
     courses.push_back({"barn_" + number, {query}, [file] {
@@ -105,9 +103,10 @@ Courses list_mrpb(const std::string& folder, const ForeignOptions& options) {
     const std::string name = "mrpb_" + map;
     if (courses.empty() || courses.back().name != name) {
       const std::string file = folder + "/" + map + "/map.yaml";
-      const Bounds bounds{
-          {table.number(row, "xmin", -kFar, kFar), table.number(row, "ymin", -kFar, kFar)},
-          {table.number(row, "xmax", -kFar, kFar), table.number(row, "ymax", -kFar, kFar)}};
+      const Bounds bounds{{table.number(row, "xmin", -kFarthestCoordinate, kFarthestCoordinate),
+                           table.number(row, "ymin", -kFarthestCoordinate, kFarthestCoordinate)},
+                          {table.number(row, "xmax", -kFarthestCoordinate, kFarthestCoordinate),
+                           table.number(row, "ymax", -kFarthestCoordinate, kFarthestCoordinate)}};
       courses.push_back({name, {}, [file, options, bounds] {
                            ForeignWorld world = foreign_format("ros_map", file).read(file, options);
                            world.bounds = bounds;
@@ -116,10 +115,10 @@ Courses list_mrpb(const std::string& folder, const ForeignOptions& options) {
     }
     ForeignQuery query;
     query.name = table.text(row, "query");
-    query.start = {table.number(row, "start_x", -kFar, kFar),
-                   table.number(row, "start_y", -kFar, kFar)};
-    query.goal = {table.number(row, "goal_x", -kFar, kFar),
-                  table.number(row, "goal_y", -kFar, kFar)};
+    query.start = {table.number(row, "start_x", -kFarthestCoordinate, kFarthestCoordinate),
+                   table.number(row, "start_y", -kFarthestCoordinate, kFarthestCoordinate)};
+    query.goal = {table.number(row, "goal_x", -kFarthestCoordinate, kFarthestCoordinate),
+                  table.number(row, "goal_y", -kFarthestCoordinate, kFarthestCoordinate)};
     courses.back().queries.push_back(query);
   }
   return courses;

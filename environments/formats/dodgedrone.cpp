@@ -10,7 +10,7 @@ namespace {
 
 constexpr double kParked_m = 1000;
 
-std::vector<std::string_view> fields_of(std::string_view line) {
+std::vector<std::string_view> comma_separated(std::string_view line) {
   std::vector<std::string_view> fields;
   for (std::size_t comma = 0; comma != std::string_view::npos;) {
     comma = line.find(',');
@@ -31,7 +31,6 @@ bool is_near(double one_m, double other_m) { return std::abs(one_m - other_m) <=
 
 ForeignWorld parse_dodgedrone(std::string_view text, const std::string& file,
                               const ForeignOptions& options) {
-  constexpr double kFar = kFarthestCoordinate;
   ForeignWorld world;
   world.bounds = Bounds{{-2, -12}, {20, 12}};
   world.start = Vec2(0, 0);
@@ -39,13 +38,13 @@ ForeignWorld parse_dodgedrone(std::string_view text, const std::string& file,
   TextLines lines(text, file);
   while (lines.next()) {
     if (lines.words().empty()) continue;
-    const auto fields = fields_of(lines.line());
+    const auto fields = comma_separated(lines.line());
     if (fields.size() != 11)
       throw lines.error("expected 11 fields (prefab, x, y, z, qw, qx, qy, qz, sx, sy, sz), got " +
                         std::to_string(fields.size()));
-    const double x = lines.real(fields[1], "x", -kFar, kFar);
-    const double y = lines.real(fields[2], "y", -kFar, kFar);
-    const double z = lines.real(fields[3], "z", -kFar, kFar);
+    const double x = lines.real(fields[1], "x", -kFarthestCoordinate, kFarthestCoordinate);
+    const double y = lines.real(fields[2], "y", -kFarthestCoordinate, kFarthestCoordinate);
+    const double z = lines.real(fields[3], "z", -kFarthestCoordinate, kFarthestCoordinate);
     const double radius_m = lines.real(fields[8], "sx", kSmallestRadius, kLargestRadius) / 2;
     const double width_m = lines.real(fields[9], "sy", 0, kLargestRadius);
     const double height_m = lines.real(fields[10], "sz", 0, kLargestRadius);

@@ -89,7 +89,6 @@ ForeignWorld read_circles(const std::string& path, const ForeignOptions&) {
 }
 
 std::vector<ForeignQuery> read_query_table(const std::string& path, const std::string& world_path) {
-  constexpr double kFar = kFarthestCoordinate;
   const auto table = CsvTable::read(path, {"start_x", "start_y", "goal_x", "goal_y"});
   const std::filesystem::path world(world_path);
   const std::string folder = world.parent_path().filename().string();
@@ -100,10 +99,10 @@ std::vector<ForeignQuery> read_query_table(const std::string& path, const std::s
       continue;
     ForeignQuery query;
     query.name = std::to_string(queries.size());
-    query.start = {table.number(row, "start_x", -kFar, kFar),
-                   table.number(row, "start_y", -kFar, kFar)};
-    query.goal = {table.number(row, "goal_x", -kFar, kFar),
-                  table.number(row, "goal_y", -kFar, kFar)};
+    query.start = {table.number(row, "start_x", -kFarthestCoordinate, kFarthestCoordinate),
+                   table.number(row, "start_y", -kFarthestCoordinate, kFarthestCoordinate)};
+    query.goal = {table.number(row, "goal_x", -kFarthestCoordinate, kFarthestCoordinate),
+                  table.number(row, "goal_y", -kFarthestCoordinate, kFarthestCoordinate)};
     queries.push_back(std::move(query));
   }
   if (queries.empty())

@@ -11,7 +11,6 @@
 namespace voronaut {
 namespace {
 
-constexpr double kFar = kFarthestCoordinate;
 constexpr double kDefaultSide_m = 10;  // of IR-SIM's world
 
 // The keys that IR-SIM documents (docs/source/yaml_config). Most are about motion and plots and are
@@ -46,7 +45,8 @@ Placed read_state(const ConfigNode& node) {
   const std::vector<ConfigNode> values = node.items();
   if (values.size() < 2) throw node.error("expected [x, y, theta]");
   Placed placed;
-  placed.p = {values[0].number(-kFar, kFar), values[1].number(-kFar, kFar)};
+  placed.p = {values[0].number(-kFarthestCoordinate, kFarthestCoordinate),
+              values[1].number(-kFarthestCoordinate, kFarthestCoordinate)};
   if (values.size() > 2) placed.theta_rad = values[2].number(-1e3, 1e3);
   return placed;
 }
@@ -67,7 +67,7 @@ Placed first_state(const ConfigNode& node) {
 }
 
 Vec2 read_xy(const ConfigNode& node) {
-  const auto xy = node.numbers(2, "[x, y]", -kFar, kFar);
+  const auto xy = node.numbers(2, "[x, y]", -kFarthestCoordinate, kFarthestCoordinate);
   return {xy[0], xy[1]};
 }
 
@@ -207,7 +207,7 @@ Bounds read_world(const std::optional<ConfigNode>& world) {
     throw map->error("an obstacle map is not read");
   const auto side_m = [&](const char* key) {
     const auto side = find_given(*world, key);
-    return side ? side->number(kSmallestRadius, kFar) : kDefaultSide_m;
+    return side ? side->number(kSmallestRadius, kFarthestCoordinate) : kDefaultSide_m;
   };
   const auto offset = find_given(*world, "offset");
   const Vec2 lower_left = offset ? read_xy(*offset) : Vec2(0, 0);

@@ -10,8 +10,6 @@
 namespace voronaut {
 namespace {
 
-constexpr double kFar = kFarthestCoordinate;
-
 // The words after `key` in the next line, so many.
 std::vector<std::string_view> expect_values(TextLines& lines, const std::string& key,
                                             std::size_t count) {
@@ -28,7 +26,8 @@ Vec2 expect_place(TextLines& lines, const std::string& number, const std::string
   const auto words = lines.words();
   if (words.size() != 4 || words[0] != number || words[1] != what)
     throw lines.error("expected '" + number + " " + what + " x y', got " + in_quotes(lines.line()));
-  return {lines.real(words[2], "x", -kFar, kFar), lines.real(words[3], "y", -kFar, kFar)};
+  return {lines.real(words[2], "x", -kFarthestCoordinate, kFarthestCoordinate),
+          lines.real(words[3], "y", -kFarthestCoordinate, kFarthestCoordinate)};
 }
 
 // A text word by word: line breaks are blanks like others.
@@ -90,8 +89,8 @@ ForeignWorld parse_ompl_circles(std::string_view text, const std::string& file) 
     if (words.empty()) continue;
     if (words.size() != 4)
       throw lines.error("expected a number, x, y and r, got " + in_quotes(lines.line()));
-    const double x = lines.real(words[1], "x", -kFar, kFar);
-    const double y = lines.real(words[2], "y", -kFar, kFar);
+    const double x = lines.real(words[1], "x", -kFarthestCoordinate, kFarthestCoordinate);
+    const double y = lines.real(words[2], "y", -kFarthestCoordinate, kFarthestCoordinate);
     const Circle circle{{x, y}, lines.real(words[3], "r", kSmallestRadius, kLargestRadius)};
     const Bounds around = bounds_of(circle);
     world.bounds = world.bounds ? Bounds{world.bounds->min.cwiseMin(around.min),

@@ -6,11 +6,17 @@
 #include <stdexcept>
 #include <utility>
 
-#include <boost/geometry.hpp>
+#include <boost/geometry/algorithms/area.hpp>
+#include <boost/geometry/algorithms/correct.hpp>
+#include <boost/geometry/algorithms/envelope.hpp>
+#include <boost/geometry/algorithms/intersection.hpp>
+#include <boost/geometry/algorithms/is_valid.hpp>
+#include <boost/geometry/algorithms/union.hpp>
 #include <boost/geometry/geometries/box.hpp>
 #include <boost/geometry/geometries/multi_polygon.hpp>
 #include <boost/geometry/geometries/point_xy.hpp>
 #include <boost/geometry/geometries/polygon.hpp>
+#include <boost/geometry/strategies/strategies.hpp>
 
 #include "voronaut/environments/generators/placement.h"
 #include "voronaut/environments/shapes/polygon_validity.h"
@@ -21,7 +27,8 @@ namespace {
 namespace bg = boost::geometry;
 using Point = bg::model::d2::point_xy<double>;
 using Area = bg::model::polygon<Point, false, false>;  // counter-clockwise, open
-using Areas = bg::model::multi_polygon<Area>;
+using Areas = bg::model::multi_polygon<Area>;  // all that is cut or united: each pair of types
+                                               // costs the compiler seconds
 using Box = bg::model::box<Point>;
 
 // Cuts leave slivers of rounding, which no body meets.
@@ -135,11 +142,11 @@ void cut_holes(const Area& area, std::vector<Polygon>& simple) {
   const double x = (hole.min_corner().x() + hole.max_corner().x()) / 2;
   CutLine line(x);
   const double beyond_m = 1;
-  const Point low(whole.min_corner().x() - beyond_m, whole.min_corner().y() - beyond_m);
-  const Point high(whole.max_corner().x() + beyond_m, whole.max_corner().y() + beyond_m);
-  for (const Box& side : {Box(low, Point(x, high.y())), Box(Point(x, low.y()), high)}) {
+  const Vec2 low(whole.min_corner().x() - beyond_m, whole.min_corner().y() - beyond_m);
+  const Vec2 high(whole.max_corner().x() + beyond_m, whole.max_corner().y() + beyond_m);
+  for (const Bounds& side : {Bounds{low, {x, high.y()}}, Bounds{{x, low.y()}, high}}) {
     Areas parts;
-    bg::intersection(area, side, parts);
+    bg::intersection(Areas{area}, Areas{area_of(box(side))}, parts);
     for (Area& part : parts) {
       line.snap(part);
       cut_holes(part, simple);
@@ -201,7 +208,7 @@ double free_share(const Bounds& bounds, const Shapes& shapes) {
     areas.push_back(area_of(around(circle, kCirclesCorners)));
   const Area all = area_of(box(bounds));
   Areas covered;
-  bg::intersection(united(std::move(areas)), all, covered);
+  bg::intersection(united(std::move(areas)), Areas{all}, covered);
   return std::clamp(1 - bg::area(covered) / bg::area(all), 0.0, 1.0);
 }
 

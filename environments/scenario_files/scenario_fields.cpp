@@ -15,8 +15,6 @@
 namespace voronaut {
 namespace {
 
-constexpr double kFar = kFarthestCoordinate;
-
 void require_plain(const std::string& name, const ConfigNode& place) {
   constexpr std::string_view kPlain =
       "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-.+";
@@ -30,7 +28,8 @@ void require_plain(const std::string& name, const ConfigNode& place) {
 }  // namespace
 
 Vec2 read_point(const ConfigNode& node) {
-  const std::vector<double> xy = node.numbers(2, "[x, y]", -kFar, kFar);
+  const std::vector<double> xy =
+      node.numbers(2, "[x, y]", -kFarthestCoordinate, kFarthestCoordinate);
   return {xy[0], xy[1]};
 }
 

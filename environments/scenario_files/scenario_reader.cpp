@@ -15,17 +15,16 @@
 namespace voronaut {
 namespace {
 
-constexpr double kFar = kFarthestCoordinate;
-
 Circle read_circle(const ConfigNode& node) {
   const std::vector<ConfigNode> values = node.items(3, "[x, y, r]");
-  const double x = values[0].number(-kFar, kFar);
-  const double y = values[1].number(-kFar, kFar);
+  const double x = values[0].number(-kFarthestCoordinate, kFarthestCoordinate);
+  const double y = values[1].number(-kFarthestCoordinate, kFarthestCoordinate);
   return {{x, y}, values[2].number(kSmallestRadius, kLargestRadius)};
 }
 
 Polygon read_box(const ConfigNode& node) {
-  const std::vector<double> limits = node.numbers(4, "[xmin, ymin, xmax, ymax]", -kFar, kFar);
+  const std::vector<double> limits =
+      node.numbers(4, "[xmin, ymin, xmax, ymax]", -kFarthestCoordinate, kFarthestCoordinate);
   if (limits[0] >= limits[2] || limits[1] >= limits[3])
     throw node.error("expected [xmin, ymin, xmax, ymax] with xmin < xmax and ymin < ymax");
   return box(Bounds{{limits[0], limits[1]}, {limits[2], limits[3]}});

@@ -4,12 +4,6 @@
 #include <limits>
 
 namespace voronaut {
-namespace {
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
-
-}  // namespace
-
 CellGrid::CellGrid(const Bounds& area, double cell_m)
     : origin_(area.min),
       cell_m_(cell_m),

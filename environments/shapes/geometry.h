@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <vector>
 
 #include <Eigen/Core>
@@ -12,6 +13,8 @@
 namespace voronaut {
 
 using Vec2 = Eigen::Vector2d;
+
+inline constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 struct Circle {
   Vec2 center;

@@ -7,7 +7,6 @@
 namespace voronaut {
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 // Cells list what comes within this part of a cell too, so that rounding in a walk along cells
 // never passes a primitive by.
 constexpr double kCellMargin = 1e-6;

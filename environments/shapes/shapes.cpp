@@ -10,8 +10,6 @@
 namespace voronaut {
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
-
 [[noreturn]] void reject(const char* kind, std::size_t index, const std::string& why) {
   throw std::invalid_argument(std::string(kind) + " " + std::to_string(index) + " " + why);
 }

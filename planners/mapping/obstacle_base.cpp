@@ -11,8 +11,6 @@
 namespace voronaut {
 namespace {
 
-constexpr ClusterId kNoCluster = 0xffff'ffff;
-
 void check(bool allowed, const char* name, double value, const char* bound) {
   if (allowed) return;
   throw std::invalid_argument("ObstacleBaseConfig: " + std::string(name) + " is " +

@@ -32,7 +32,7 @@ ReactiveVoronoi::ReactiveVoronoi(const ob::SpaceInformationPtr& si)
     : RolloutPlanner(si, "ReactiveVoronoi") {
   ParameterDeclaration declaration(params_);
   config_.visit(declaration);
-  mission_config_.visit(declaration);
+  rollout_config_.visit(declaration);
   declaration.declare<std::string>(
       "preset", [this](const std::string& name) { set_preset(name); }, [this] { return preset(); },
       "as_published,repaired", "All choices of the papers, or all repairs, before single ones");
@@ -67,7 +67,7 @@ ob::PlannerStatus ReactiveVoronoi::solve(const ob::PlannerTerminationCondition& 
   const auto* geometry = dynamic_cast<const KnownGeometry*>(si_->getStateValidityChecker().get());
   if (geometry && geometry->belief()) return next_leg(*geometry);
   const ob::PlannerStatus status = RolloutPlanner::solve(ptc);
-  if (const auto* mission = static_cast<const Mission*>(latest())) mode_ = mission->mode();
+  if (const auto* rollout = static_cast<const ReactiveRollout*>(latest())) mode_ = rollout->mode();
   return status;
 }
 
@@ -106,7 +106,7 @@ ob::PlannerStatus ReactiveVoronoi::next_leg(const KnownGeometry& geometry) {
 
 std::unique_ptr<Rollout> ReactiveVoronoi::make_rollout(const ob::State* start,
                                                        const ob::State* goal) {
-  return std::make_unique<Mission>(si_, config_, mission_config_, start, goal);
+  return std::make_unique<ReactiveRollout>(si_, config_, rollout_config_, start, goal);
 }
 
 void ReactiveVoronoi::getPlannerData(ob::PlannerData& data) const {

@@ -9,7 +9,7 @@
 
 #include "voronaut/planners/catalog/planner_insight.h"
 #include "voronaut/planners/problem/known_geometry.h"
-#include "voronaut/planners/reactive_voronoi/mission.h"
+#include "voronaut/planners/reactive_voronoi/reactive_rollout.h"
 #include "voronaut/planners/reactive_voronoi/reactive_voronoi_config.h"
 #include "voronaut/planners/rollout/rollout_planner.h"
 
@@ -21,11 +21,11 @@ namespace voronaut {
 // reactive_step: the path of two states is the next leg, an approximate solution unless it leads to
 // the goal over known-clear ground. What it remembers is kept between solves; clear() forgets it.
 //
-// On a static problem a solve flies missions (mission.h): the path is the way flown, longer than
-// that of a planner that sees everything, and not always one that arrives.
+// On a static problem a solve flies rollouts (reactive_rollout.h): the path is the way flown,
+// longer than that of a planner that sees everything, and not always one that arrives.
 //
 // Parameters: "preset" (as_published, repaired) sets all fields of ReactiveVoronoiConfig; these and
-// the fields of MissionConfig are parameters by their own names.
+// the fields of ReactiveRolloutConfig are parameters by their own names.
 class ReactiveVoronoi : public RolloutPlanner, public PlannerInsight {
  public:
   explicit ReactiveVoronoi(const ompl::base::SpaceInformationPtr& si);
@@ -50,7 +50,7 @@ class ReactiveVoronoi : public RolloutPlanner, public PlannerInsight {
   bool choose_live_goal();
 
   ReactiveVoronoiConfig config_;
-  MissionConfig mission_config_;
+  ReactiveRolloutConfig rollout_config_;
   ReactiveMemory memory_;
   ReactiveMode mode_ = ReactiveMode::none;
   std::shared_ptr<ompl::geometric::PathGeometric> leg_;

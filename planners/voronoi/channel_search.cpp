@@ -13,7 +13,6 @@ constexpr double kTie_m = 1e-9;
 // Cones are wider than they are by this: a corner exactly on the border of two cones (walls on a
 // grid have many) belongs to both, or rounding would give it to neither.
 constexpr double kSlack_m = 1e-9;
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 // Where the ray from `root` through `through` meets the gate, as a fraction from its left to its
 // right end; `left` and `right` are the cross products of the ray with the way to the ends.

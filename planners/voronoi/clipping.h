@@ -11,7 +11,6 @@ namespace voronaut {
 // it never does.
 inline std::optional<std::pair<double, double>> clipped(double p, double along, double lo,
                                                         double hi) {
-  constexpr double kInfinity = std::numeric_limits<double>::infinity();
   if (along == 0) {
     if (p < lo || p > hi) return std::nullopt;
     return std::pair{-kInfinity, kInfinity};

@@ -26,7 +26,6 @@ namespace {
 constexpr double kInsideThreshold = 0.999;
 constexpr double kLeastTolerance_m = 1e-6;
 
-constexpr const char* kTimeout = "the termination condition was met first";
 constexpr const char* kGoalBlocked = "no place within the goal's tolerance has the clearance";
 constexpr const char* kRefused = "the motion validator refuses the route found";
 

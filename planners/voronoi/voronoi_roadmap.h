@@ -99,6 +99,7 @@ class VoronoiRoadmap : public ompl::base::Planner, public PlannerInsight {
   Route ask_and_repair(const Question& question, const Bounds& bounds, double clearance_m,
                        std::vector<Vec2>& points,
                        const ompl::base::PlannerTerminationCondition& ptc);
+  static constexpr const char* kTimeout = "the termination condition was met first";
   ompl::base::PlannerStatus failure(std::string_view why, bool proved,
                                     ompl::base::PlannerStatus::StatusType otherwise);
   ompl::base::PlannerStatus report(const Question& question, const Route& route);

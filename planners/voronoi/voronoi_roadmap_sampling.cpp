@@ -13,7 +13,6 @@ namespace ob = ompl::base;
 namespace {
 
 constexpr int kMaxRepairs = 64;
-constexpr const char* kTimeout = "the termination condition was met first";
 constexpr const char* kNotSampled = "no path was found on the sampled border of the valid states";
 
 }  // namespace

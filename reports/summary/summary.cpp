@@ -82,11 +82,11 @@ int compare(const RunRecord& a, const RunRecord& b, double tie_tolerance) {
 PlannerPairing pair_planners(const SummaryGroup& group, const std::string& planner_a,
                              const Trials& trials_a, const std::string& planner_b,
                              const Trials& trials_b, const SummaryConfig& config) {
-  using Key = std::tuple<std::string_view, std::string_view, std::int64_t>;
+  using TrialKey = std::tuple<std::string_view, std::string_view, std::int64_t>;
   const auto key = [](const RunRecord& r) {
-    return Key(r.scenario_group, r.scenario, r.repetition);
+    return TrialKey(r.scenario_group, r.scenario, r.repetition);
   };
-  std::map<Key, const RunRecord*> by_key;
+  std::map<TrialKey, const RunRecord*> by_key;
   for (const RunRecord* trial : trials_b) {
     by_key.emplace(key(*trial), trial);
   }

@@ -17,14 +17,14 @@ json estimate(const Estimate& e) {
   return {{"value", number(e.value)}, {"interval", interval(e.interval)}, {"n", e.n}};
 }
 
-json rate(const Estimate& r) {
+json rate_json(const Estimate& r) {
   json out = estimate(r);
   out["successes"] = r.successes;
   return out;
 }
 
 json estimate(const Statistic& statistic, const Estimate& e) {
-  return statistic.estimator == Estimator::rate ? rate(e) : estimate(e);
+  return statistic.estimator == Estimator::rate ? rate_json(e) : estimate(e);
 }
 
 std::string_view name_of(Better better) {
@@ -77,7 +77,7 @@ json pairing_to_json(const PlannerPairing& p) {
   out["wins_a"] = p.wins_a;
   out["ties"] = p.ties;
   out["wins_b"] = p.wins_b;
-  out["win_share_a"] = rate(p.win_share_a);
+  out["win_share_a"] = rate_json(p.win_share_a);
   return out;
 }
 
@@ -85,8 +85,8 @@ json change_to_json(const PlannerChange& c) {
   json out = group_fields(c.group);
   out["planner"] = c.planner;
   out["n"] = c.n;
-  out["reached_before"] = rate(c.reached_before);
-  out["reached_now"] = rate(c.reached_now);
+  out["reached_before"] = rate_json(c.reached_before);
+  out["reached_now"] = rate_json(c.reached_now);
   out["gained"] = c.gained;
   out["lost"] = c.lost;
   for (const Statistic* one : statistics_shown(kComparison))

@@ -16,7 +16,7 @@ constexpr double kSmallestCellM = 0.21;
 constexpr double kSpacingsPerCell = 2;
 
 // Boxes are grown by this share more than asked, so that rounding cannot lose a point on the rim.
-constexpr double kRoundingMargin = 1 + 1e-6;
+constexpr double kDistanceRoundingMargin = 1 + 1e-6;
 
 // The clearance field is walked through in steps not shorter than this; what is closer to points is
 // left to them. Longer motions than the longest are left to the points at once.
@@ -85,7 +85,7 @@ void PointIndex::expect_checks(double distance_m) const {
 }
 
 PointIndex::Reach PointIndex::reach(const Vec2& a, const Vec2& b, double distance_m) const {
-  const double margin_m = distance_m * kRoundingMargin;
+  const double margin_m = distance_m * kDistanceRoundingMargin;
   const double low_x = std::max(std::min(a.x(), b.x()) - margin_m, bounds_.min.x());
   const double low_y = std::max(std::min(a.y(), b.y()) - margin_m, bounds_.min.y());
   const double high_x = std::min(std::max(a.x(), b.x()) + margin_m, bounds_.max.x());
@@ -125,7 +125,7 @@ PointId PointIndex::nearest_in(const Reach& within, const Vec2& p, double limit_
 }
 
 PointId PointIndex::nearest_closer_than(const Vec2& p, double distance_m) const {
-  const double margin_m = distance_m * kRoundingMargin;
+  const double margin_m = distance_m * kDistanceRoundingMargin;
   const Reach around{cells_.cell_of(p.x() - margin_m, p.y() - margin_m),
                      cells_.cell_of(p.x() + margin_m, p.y() + margin_m)};
   return nearest_in(around, p, distance_m * distance_m);

@@ -9,6 +9,7 @@ namespace voronaut {
 
 using PointId = std::uint32_t;
 using ClusterId = std::uint32_t;
+inline constexpr ClusterId kNoCluster = 0xffff'ffff;
 
 // One cluster of the latest scan, its points in the order of their bearing (right to left). The
 // points are returns of this scan, known ones included, thinned along the scan: a return closer

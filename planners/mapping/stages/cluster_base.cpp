@@ -11,7 +11,7 @@ namespace {
 constexpr double kFinestBoxCellM = 2;
 
 // The broad phase asks for a little more, so that rounding cannot lose a pair.
-constexpr double kRoundingMargin = 1 + 1e-9;
+constexpr double kMergeRoundingMargin = 1 + 1e-9;
 
 Bounds grown(const Bounds& box, double margin_m) {
   return {box.min - Vec2::Constant(margin_m), box.max + Vec2::Constant(margin_m)};
@@ -132,7 +132,7 @@ bool ClusterBase::related(Cluster& a, Cluster& b, std::span<const Vec2> points,
 
 void ClusterBase::collect_related(ClusterId id, std::span<const Vec2> points, MergeCounts& counts) {
   Cluster& cluster = clusters_[id];
-  const Bounds reach = grown(cluster.box, merge_distance_m_ * kRoundingMargin);
+  const Bounds reach = grown(cluster.box, merge_distance_m_ * kMergeRoundingMargin);
   boxes_.for_each_near(reach, [&](ClusterId other) {
     Cluster& candidate = clusters_[other];
     if (!boxes_touch(reach, candidate.box)) return;

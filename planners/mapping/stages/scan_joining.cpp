@@ -4,12 +4,6 @@
 #include <tuple>
 
 namespace voronaut {
-namespace {
-
-constexpr ClusterId kNoCluster = 0xffff'ffff;
-
-}  // namespace
-
 // A scan has no more clusters and new points than beams.
 void ScanJoining::make_room(std::size_t beams) {
   joined_.resize(beams);

@@ -10,8 +10,6 @@
 namespace voronaut {
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
-
 // Points on arcs, as a range finder sees them, and some alone.
 PointIndex random_points(Random& random, double side_m, double spacing_m) {
   PointIndex index(spacing_m);

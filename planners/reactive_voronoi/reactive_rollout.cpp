@@ -1,4 +1,4 @@
-#include "voronaut/planners/reactive_voronoi/mission.h"
+#include "voronaut/planners/reactive_voronoi/reactive_rollout.h"
 
 #include <memory>
 
@@ -19,8 +19,10 @@ ObstacleBaseConfig mapping_for(const ReactiveVoronoiConfig& planner) {
 
 }  // namespace
 
-Mission::Mission(const ob::SpaceInformationPtr& si, const ReactiveVoronoiConfig& planner,
-                 const MissionConfig& config, const ob::State* start, const ob::State* goal)
+ReactiveRollout::ReactiveRollout(const ob::SpaceInformationPtr& si,
+                                 const ReactiveVoronoiConfig& planner,
+                                 const ReactiveRolloutConfig& config, const ob::State* start,
+                                 const ob::State* goal)
     : Rollout(si, start, goal),
       planner_(planner),
       config_(config),
@@ -33,7 +35,7 @@ Mission::Mission(const ob::SpaceInformationPtr& si, const ReactiveVoronoiConfig&
       config.sensing_field_of_view_rad, static_cast<std::size_t>(config.sensing_rays)));
 }
 
-Vec2 Mission::decide() {
+Vec2 ReactiveRollout::decide() {
   scan_.sensor_world.p_world = p_world();
   sense(ray_range_, scan_);
   base_.update(scan_);
@@ -43,7 +45,7 @@ Vec2 Mission::decide() {
   return clamped(decision.subgoal_world, position_bounds(*space_information()->getStateSpace()));
 }
 
-bool Mission::step() {
+bool ReactiveRollout::step() {
   if (steps_without_progress() >= static_cast<std::size_t>(config_.stall_steps)) return false;
   const Vec2 target = decide();
   const Vec2 way = target - p_world();

@@ -5,12 +5,12 @@
 #include "voronaut/planners/rollout/ray_range.h"
 #include "voronaut/planners/rollout/rollout.h"
 
-// The papers' planner on a static problem: a mission in miniature. A vehicle that knows nothing
+// The papers' planner on a static problem: a rollout. A vehicle that knows nothing
 // senses, maps, decides and moves, and its way is the path.
 namespace voronaut {
 
 // Lengths are in the units of the state space, metres elsewhere.
-struct MissionConfig {
+struct ReactiveRolloutConfig {
   double sensing_range_m = 2.5;
   double sensing_field_of_view_rad =
       1.570796326794897;  // +-45 deg about the first line to the goal
@@ -34,12 +34,12 @@ struct MissionConfig {
   }
 };
 
-class Mission : public Rollout {
+class ReactiveRollout : public Rollout {
  public:
   // From a valid start to a valid goal.
-  Mission(const ompl::base::SpaceInformationPtr& si, const ReactiveVoronoiConfig& planner,
-          const MissionConfig& config, const ompl::base::State* start,
-          const ompl::base::State* goal);
+  ReactiveRollout(const ompl::base::SpaceInformationPtr& si, const ReactiveVoronoiConfig& planner,
+                  const ReactiveRolloutConfig& config, const ompl::base::State* start,
+                  const ompl::base::State* goal);
 
   ReactiveMode mode() const { return mode_; }
 
@@ -50,7 +50,7 @@ class Mission : public Rollout {
   Vec2 decide();
 
   ReactiveVoronoiConfig planner_;
-  MissionConfig config_;
+  ReactiveRolloutConfig config_;
   RayRange ray_range_;
   ObstacleBase base_;
   ReactiveMemory memory_;
