@@ -60,6 +60,7 @@ std::string name_of(const std::variant<Configs...>& config) {
 template <class Entry>
 std::vector<std::string> names_of(const std::vector<Entry>& entries) {
   std::vector<std::string> names;
+  names.reserve(entries.size());
   for (const Entry& entry : entries) names.push_back(name_of(entry));
   std::sort(names.begin(), names.end());
   return names;

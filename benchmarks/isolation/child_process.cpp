@@ -243,15 +243,22 @@ void ChildProcess::interpret_end(int wait_status) {
   } else if (frame && left_in_order) {
     report_.end = End::exception;
     report_.message = first_line(frame->payload);
-  } else if (WIFEXITED(wait_status)) {
+  } else {
+    interpret_status(wait_status, first_line(words->message.data()));
+  }
+}
+
+void ChildProcess::interpret_status(int wait_status, std::string last_message) {
+  using End = ChildReport::End;
+  if (WIFEXITED(wait_status)) {
     report_.end = End::exited;
     report_.code = WEXITSTATUS(wait_status);
-  } else {
-    report_.end = is_sent_by_others(signal) ? End::killed : End::signalled;
-    report_.code = signal;
-    report_.message = first_line(words->message.data());
-    if (report_.message.empty()) report_.message = failed_assertion(error_fd_);
+    return;
   }
+  report_.code = WIFSIGNALED(wait_status) ? WTERMSIG(wait_status) : 0;
+  report_.end = is_sent_by_others(report_.code) ? End::killed : End::signalled;
+  report_.message = std::move(last_message);
+  if (report_.message.empty()) report_.message = failed_assertion(error_fd_);
 }
 
 void ChildProcess::enforce_wall_limit(Clock::time_point now) {

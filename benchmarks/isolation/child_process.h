@@ -92,6 +92,7 @@ class ChildProcess {
  private:
   void interpret(const struct Verdict& verdict);
   void interpret_end(int wait_status);
+  void interpret_status(int wait_status, std::string last_message);
   void wait_for_supervisor();
 
   pid_t pid_ = -1;  // of the supervisor

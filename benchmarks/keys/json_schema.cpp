@@ -107,6 +107,7 @@ std::vector<KeyFact> joined(std::vector<KeyFact> facts, const std::vector<KeyFac
 
 std::vector<std::string> names_of(const std::vector<NamedKeys>& all) {
   std::vector<std::string> names;
+  names.reserve(all.size());
   for (const NamedKeys& named : all) names.push_back(named.name);
   return names;
 }
@@ -197,7 +198,7 @@ Json scenario_sources(const FileKeys& keys) {
   return {world, world_file, generator, data_set};
 }
 
-Json titled(const std::string& title, Json schema) {
+Json titled(const std::string& title, const Json& schema) {
   Json root = {{"$schema", "http://json-schema.org/draft-07/schema#"}, {"title", title}};
   root.update(schema);
   return root;

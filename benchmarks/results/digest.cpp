@@ -61,6 +61,7 @@ std::string flight_text(const RunRecord& r) {
 
 std::string flights_digest(const std::vector<RunRecord>& records) {
   std::vector<const RunRecord*> ordered;
+  ordered.reserve(records.size());
   for (const RunRecord& record : records) ordered.push_back(&record);
   std::sort(ordered.begin(), ordered.end(),
             [](const RunRecord* a, const RunRecord* b) { return place_of(*a) < place_of(*b); });

@@ -59,7 +59,7 @@ PackedTrial result_of(const TrialSpec& spec, const ChildReport& report,
 }
 
 // What cannot be known of a single flight.
-std::string after_second_flight(std::string reason) {
+std::string after_second_flight(const std::string& reason) {
   return reason + ", which no limit sent, and so when it was flown again";
 }
 

@@ -82,6 +82,14 @@ std::string why_no_stop(const VehicleEntry& entry, double period_s) {
   return {};
 }
 
+// Where a navigation key of a planner is said: with it, for all, or nowhere and then at its entry.
+ConfigNode place_of_key(const ConfigNode& root, const ConfigNode& planner, const char* key) {
+  const auto own = planner.is_map() ? planner.find("navigation") : std::nullopt;
+  for (const auto& section : {own, root.find("navigation")})
+    if (const auto node = section ? section->find(key) : std::nullopt) return *node;
+  return planner;
+}
+
 // Holds what the planners are flown with against what one of the vehicles can do.
 void require_able(const ConfigNode& root, const SuiteConfig& suite, const VehicleEntry& vehicle) {
   const std::string who = "vehicle " + in_quotes(vehicle.vehicle.name);
@@ -89,20 +97,13 @@ void require_able(const ConfigNode& root, const SuiteConfig& suite, const Vehicl
   const bool looks_anywhere = mobility_of(vehicle.vehicle).moves_sideways;
   const std::vector<ConfigNode> entries = root.child("planners").items();
   for (std::size_t i = 0; i < suite.planners.size(); ++i) {
-    const auto own = entries[i].is_map() ? entries[i].find("navigation") : std::nullopt;
-    const auto shared = root.find("navigation");
-    const auto said_at = [&](const char* key) {
-      for (const auto& section : {own, shared})
-        if (const auto node = section ? section->find(key) : std::nullopt) return *node;
-      return entries[i];
-    };
     const NavigationConfig& navigation =
         suite.planners[i].navigation.value_or(suite.flight.navigation);
     if (navigation.governor && !no_stop.empty())
-      throw said_at("governor")
+      throw place_of_key(root, entries[i], "governor")
           .error("no governor for " + who + ": " + no_stop + " (allowed: false)");
     if (navigation.yaw_policy != YawReference::path && !looks_anywhere)
-      throw said_at("yaw_policy")
+      throw place_of_key(root, entries[i], "yaw_policy")
           .error("navigation.yaw_policy 'fixed' is not for " + who +
                  ", which looks where it drives (allowed: path)");
   }

@@ -110,6 +110,24 @@ std::string kind_of(const ConfigNode& shape) {
   return name ? kinds[name->choice(kinds)] : kinds.front();
 }
 
+void add_line(const ConfigNode& shape, const Placed& at, Shapes& shapes) {
+  const auto corners = read_vertices(shape, at, 2);
+  for (std::size_t i = 1; i < corners.size(); ++i) {
+    if (corners[i] == corners[i - 1]) throw shape.error("repeats a vertex");
+    shapes.segments.push_back({corners[i - 1], corners[i]});
+  }
+}
+
+void add_shape(const ConfigNode& shape, const Placed& at, Shapes& shapes);
+
+void add_parts(const ConfigNode& shape, const Placed& at, Shapes& shapes) {
+  for (const ConfigNode& part : shape.child("parts").items()) {
+    const auto pose = find_given(part, "pose");
+    if (kind_of(part) == "compound") throw part.error("a compound in a compound");
+    add_shape(part, pose ? at.of(read_state(*pose)) : at, shapes);
+  }
+}
+
 void add_shape(const ConfigNode& shape, const Placed& at, Shapes& shapes) {
   const std::string kind = kind_of(shape);
   if (kind == "circle") {
@@ -122,17 +140,9 @@ void add_shape(const ConfigNode& shape, const Placed& at, Shapes& shapes) {
   } else if (kind == "polygon") {
     shapes.polygons.push_back(read_polygon(shape, at));
   } else if (kind == "compound") {
-    for (const ConfigNode& part : shape.child("parts").items()) {
-      const auto pose = find_given(part, "pose");
-      if (kind_of(part) == "compound") throw part.error("a compound in a compound");
-      add_shape(part, pose ? at.of(read_state(*pose)) : at, shapes);
-    }
+    add_parts(shape, at, shapes);
   } else {
-    const auto corners = read_vertices(shape, at, 2);
-    for (std::size_t i = 1; i < corners.size(); ++i) {
-      if (corners[i] == corners[i - 1]) throw shape.error("repeats a vertex");
-      shapes.segments.push_back({corners[i - 1], corners[i]});
-    }
+    add_line(shape, at, shapes);
   }
 }
 

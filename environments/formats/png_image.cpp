@@ -96,24 +96,8 @@ class PngReader {
   char problem_[100] = "no memory";
 };
 
-}  // namespace
-
-bool is_png(std::string_view bytes) {
-  return bytes.size() >= kSignatureLength &&
-         png_sig_cmp(reinterpret_cast<png_const_bytep>(bytes.data()), 0, kSignatureLength) == 0;
-}
-
-GreyImage parse_png(std::string_view bytes, const std::string& file, PngAlpha alpha) {
-  PngReader png(bytes);
-  const auto error = [&](const std::string& problem) {
-    return ConfigError(file, 0, "", "not a PNG image that can be read: " + problem);
-  };
-  if (!is_png(bytes)) throw error("it does not begin like one");
-  if (!png.read_header()) throw error(png.problem());
-  if (!BlockedCells::may_have(png.columns(), png.rows()))
-    throw error("more than " + std::to_string(BlockedCells::kMostCells) + " pixels");
-  if (!png.read_pixels()) throw error(png.problem());
-
+// Sums of the channels, so that no rounding comes before map_server's own.
+GreyImage grey_image(const PngReader& png, PngAlpha alpha) {
   GreyImage image;
   image.columns = png.columns();
   image.rows = png.rows();
@@ -134,6 +118,27 @@ GreyImage parse_png(std::string_view bytes, const std::string& file, PngAlpha al
     if (has_alpha && !adds_alpha) image.unknown.push_back(opacity != largest);
   }
   return image;
+}
+
+}  // namespace
+
+bool is_png(std::string_view bytes) {
+  return bytes.size() >= kSignatureLength &&
+         png_sig_cmp(reinterpret_cast<png_const_bytep>(bytes.data()), 0, kSignatureLength) == 0;
+}
+
+GreyImage parse_png(std::string_view bytes, const std::string& file, PngAlpha alpha) {
+  PngReader png(bytes);
+  const auto error = [&](const std::string& problem) {
+    return ConfigError(file, 0, "", "not a PNG image that can be read: " + problem);
+  };
+  if (!is_png(bytes)) throw error("it does not begin like one");
+  if (!png.read_header()) throw error(png.problem());
+  if (!BlockedCells::may_have(png.columns(), png.rows()))
+    throw error("more than " + std::to_string(BlockedCells::kMostCells) + " pixels");
+  if (!png.read_pixels()) throw error(png.problem());
+
+  return grey_image(png, alpha);
 }
 
 }  // namespace voronaut

@@ -77,20 +77,30 @@ void CellWalls::open_more(double probability, Random& random) {
     }
 }
 
+// add(first, last) for each run of cells in [0, n) that have a wall, last not included.
+template <class HasWall, class Add>
+void for_each_run(int n, HasWall&& has_wall, Add&& add) {
+  for (int first = 0, last = 0; first < n; first = last + 1) {
+    for (last = first; last < n && has_wall(last);) ++last;
+    if (last > first) add(first, last);
+  }
+}
+
 // Neighbouring walls in one line become one wall.
 void add_maze_walls(Shapes& shapes, const CellWalls& walls, double side_m) {
   const int n = walls.size();
   for (int line = 0; line + 1 < n; ++line) {
-    for (int first = 0, last = 0; first < n; first = last + 1) {
-      for (last = first; last < n && walls.right(line, last);) ++last;
-      const double x_m = (line + 1) * side_m;
-      if (last > first) add_wall(shapes, {x_m, first * side_m}, {x_m, last * side_m});
-    }
-    for (int first = 0, last = 0; first < n; first = last + 1) {
-      for (last = first; last < n && walls.above(last, line);) ++last;
-      const double y_m = (line + 1) * side_m;
-      if (last > first) add_wall(shapes, {first * side_m, y_m}, {last * side_m, y_m});
-    }
+    const double across_m = (line + 1) * side_m;
+    for_each_run(
+        n, [&](int cell) { return walls.right(line, cell); },
+        [&](int first, int last) {
+          add_wall(shapes, {across_m, first * side_m}, {across_m, last * side_m});
+        });
+    for_each_run(
+        n, [&](int cell) { return walls.above(cell, line); },
+        [&](int first, int last) {
+          add_wall(shapes, {first * side_m, across_m}, {last * side_m, across_m});
+        });
   }
 }
 

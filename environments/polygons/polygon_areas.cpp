@@ -181,6 +181,7 @@ std::vector<Polygon> without_holes(const PolygonArea& area) {
 
 std::vector<PolygonArea> united(const std::vector<Polygon>& polygons) {
   std::vector<Area> areas;
+  areas.reserve(polygons.size());
   for (const Polygon& polygon : polygons) areas.push_back(area_of(polygon));
   std::vector<PolygonArea> together;
   for (const Area& area : united(std::move(areas))) {

@@ -118,16 +118,16 @@ ShapeIndex::ShapeIndex(const Shapes& shapes, double cell_m)
       for (int x = range.x0; x <= range.x1; ++x) add(id, grid_.cell(x, y));
     }
   };
+  const auto follow = [&](const Segment& e, std::uint32_t id, auto&& add) {
+    grid_.for_cells_near(e, margin_m, [&](int y, int x0, int x1) {
+      for (int x = x0; x <= x1; ++x) add(id, grid_.cell(x, y));
+      return true;
+    });
+  };
   primitives_ = list([&](auto&& add) {
     std::uint32_t id = 0;
     for (const Circle& circle : circles_) fill(bounds_of(circle), id++, add);
-    for (const Segment& e : edges_) {
-      grid_.for_cells_near(e, margin_m, [&](int y, int x0, int x1) {
-        for (int x = x0; x <= x1; ++x) add(id, grid_.cell(x, y));
-        return true;
-      });
-      ++id;
-    }
+    for (const Segment& e : edges_) follow(e, id++, add);
   });
   solids_at_ = list([&](auto&& add) {
     std::uint32_t id = 0;
@@ -194,15 +194,19 @@ double ShapeIndex::clearance_m(const Vec2& p, double within_m) const {
   // Square rings of cells around the home cell: what ring k + 1 and beyond hold is at least k
   // cells away.
   const int last_ring = std::max({px, grid_.columns() - 1 - px, py, grid_.rows() - 1 - py});
-  for (int ring = 0; ring <= last_ring; ++ring) {
-    if (nearest_m <= (ring - 1) * grid_.cell_m()) break;
-    for (int y = std::max(py - ring, 0); y <= std::min(py + ring, grid_.rows() - 1); ++y) {
-      const bool whole_row = std::abs(y - py) == ring;
-      const int step = whole_row || ring == 0 ? 1 : 2 * ring;
-      for (int x = px - ring; x <= px + ring; x += step) {
-        if (x >= 0 && x < grid_.columns())
-          nearest_m = std::min(nearest_m, nearest_in_cell(grid_.cell(x, y), p));
-      }
+  for (int ring = 0; ring <= last_ring && nearest_m > (ring - 1) * grid_.cell_m(); ++ring)
+    nearest_m = std::min(nearest_m, nearest_in_ring(px, py, ring, p));
+  return nearest_m;
+}
+
+double ShapeIndex::nearest_in_ring(int column, int row, int ring, const Vec2& p) const {
+  double nearest_m = kInfinity;
+  for (int y = std::max(row - ring, 0); y <= std::min(row + ring, grid_.rows() - 1); ++y) {
+    const bool whole_row = std::abs(y - row) == ring;
+    const int step = whole_row || ring == 0 ? 1 : 2 * ring;
+    for (int x = column - ring; x <= column + ring; x += step) {
+      if (x >= 0 && x < grid_.columns())
+        nearest_m = std::min(nearest_m, nearest_in_cell(grid_.cell(x, y), p));
     }
   }
   return nearest_m;

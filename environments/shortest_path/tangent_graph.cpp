@@ -52,16 +52,17 @@ void TangentGraph::find_ways(Rim from) {
   for (const std::uint32_t target : admitted_) {
     const Disc& there = boundary_.discs()[target];
     if (target == arc.disc || !sight.may_reach(there)) continue;
-    for (const int target_turn : {1, -1}) {
-      if (target == goal_disc_ && target_turn < 0) continue;
+    const auto find_way = [&](int target_turn) {
       Way way;
-      if (!common_tangent(here, turn(from), there, target_turn, tolerance_, way.tangent)) continue;
+      if (!common_tangent(here, turn(from), there, target_turn, tolerance_, way.tangent)) return;
       const double depart = quarter_turns(way.tangent.depart);
       way.depart_position = arc.position(depart);
-      if (way.depart_position < 0) continue;
-      if (!sight.may_reach(depart, there.center + there.radius_m * way.tangent.arrive)) continue;
+      if (way.depart_position < 0) return;
+      if (!sight.may_reach(depart, there.center + there.radius_m * way.tangent.arrive)) return;
       add_ways(way, target, target_turn, ways_[from]);
-    }
+    };
+    find_way(1);
+    if (target != goal_disc_) find_way(-1);
   }
 }
 

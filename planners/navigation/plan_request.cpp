@@ -31,6 +31,21 @@ Path led_on_to_goal(Path path, const PlanningProblem& problem) {
   return path;
 }
 
+// Everything of the plan but its path.
+Plan answer_without_path(const ob::PlannerStatus& solved, SolveEnd end, const ob::Planner& planner,
+                         const std::string& flaw) {
+  Plan plan;
+  plan.end = end;
+  plan.status = status_without_path(solved);
+  if (plan.status == PlanStatus::refused) plan.refusal = solved.asString();
+  if (const auto* insight = dynamic_cast<const PlannerInsight*>(&planner)) {
+    plan.mode = insight->mode();
+    if (!solved && insight->proved_no_path()) plan.status = PlanStatus::infeasible;
+  }
+  if (!flaw.empty()) plan.refusal = solved.asString() + ", but " + flaw;
+  return plan;
+}
+
 }  // namespace
 
 Plan ask_for_plan(ob::Planner& planner, const PlannerTraits& traits, PlanningProblem& problem,
@@ -43,7 +58,6 @@ Plan ask_for_plan(ob::Planner& planner, const PlannerTraits& traits, PlanningPro
   }
   planner.setProblemDefinition(problem.definition());
   const auto [solved, end] = solve_within(planner, problem.meter(budget));
-  const auto* insight = dynamic_cast<const PlannerInsight*>(&planner);
 
   const bool next_leg =
       traits.plans_on_every_scan && solved == ob::PlannerStatus::APPROXIMATE_SOLUTION;
@@ -53,15 +67,7 @@ Plan ask_for_plan(ob::Planner& planner, const PlannerTraits& traits, PlanningPro
   if (next_leg && found.p_world.empty())
     throw std::runtime_error("the planner says that it has a next leg but has added no path");
 
-  Plan plan;
-  plan.end = end;
-  plan.status = status_without_path(solved);
-  if (plan.status == PlanStatus::refused) plan.refusal = solved.asString();
-  if (insight != nullptr) {
-    plan.mode = insight->mode();
-    if (!solved && insight->proved_no_path()) plan.status = PlanStatus::infeasible;
-  }
-  if (!found.flaw.empty()) plan.refusal = solved.asString() + ", but " + found.flaw;
+  Plan plan = answer_without_path(solved, end, planner, found.flaw);
   if (next_leg || found.to_goal) {
     plan.path = Path::through(found.p_world);
     if (!plan.path.empty()) plan.status = next_leg ? PlanStatus::partial : PlanStatus::to_goal;

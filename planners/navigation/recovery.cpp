@@ -29,15 +29,19 @@ RecoveryAction RecoveryPolicy::advise(const MissionProgress& progress) {
 }
 
 RecoveryAction RecoveryPolicy::next_step(const MissionProgress& progress) {
-  if (!progress.wants_to_move) {
-    if (!progress.virtual_in_force) {
-      if (!progress.obstacle_within_clearance || steps_taken_ % 3 == 2)
-        return RecoveryAction::look_around;
-      // Between what is too close on both sides there is no backing off.
-      return steps_taken_ % 3 == 1 ? RecoveryAction::back_off : RecoveryAction::retrace;
-    }
+  return progress.wants_to_move ? step_under_way(progress) : step_without_path(progress);
+}
+
+RecoveryAction RecoveryPolicy::step_without_path(const MissionProgress& progress) {
+  if (progress.virtual_in_force)
     return drops_++ < kDropsMax ? RecoveryAction::drop_virtual_obstacles : RecoveryAction::none;
-  }
+  if (!progress.obstacle_within_clearance || steps_taken_ % 3 == 2)
+    return RecoveryAction::look_around;
+  // Between what is too close on both sides there is no backing off.
+  return steps_taken_ % 3 == 1 ? RecoveryAction::back_off : RecoveryAction::retrace;
+}
+
+RecoveryAction RecoveryPolicy::step_under_way(const MissionProgress& progress) const {
   // Over and over: what did not help at first may do so from where the other steps led.
   switch ((steps_taken_ - 1) % kRound) {
     case 0:

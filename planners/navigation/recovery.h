@@ -56,6 +56,8 @@ class RecoveryPolicy {
 
  private:
   RecoveryAction next_step(const MissionProgress& progress);
+  RecoveryAction step_without_path(const MissionProgress& progress);
+  RecoveryAction step_under_way(const MissionProgress& progress) const;
 
   double stall_timeout_s_;
   std::optional<double> standing_since_s_;

@@ -211,18 +211,21 @@ class Figure {
       const double middle = y - 0.35 * config_.font_size_px;
       body_ += "<path " + style.stroke + " d=\"M" + px(kGap) + " " + px(middle) + "h40\"/>\n";
       std::string words = label;
-      for (const FigurePanel& panel : panels_) {
-        for (const FigureTrack& t : panel.tracks) {
-          const OutcomeEntry& ended = entry_of(t.outcome);
-          if (t.label == label && ended.failure) {
-            words.append("; ").append(ended.sign).append(" ").append(ended.words);
-            words += panels_.size() > 1 ? " in " + panel.title : "";
-          }
-        }
-      }
+      for (const FigurePanel& panel : panels_) words += failures_of(label, panel);
       text(kGap + 50, y, words, "");
     }
     return y + kGap;
+  }
+
+  std::string failures_of(const std::string& label, const FigurePanel& panel) const {
+    std::string words;
+    for (const FigureTrack& t : panel.tracks) {
+      const OutcomeEntry& ended = entry_of(t.outcome);
+      if (t.label != label || !ended.failure) continue;
+      words.append("; ").append(ended.sign).append(" ").append(ended.words);
+      words += panels_.size() > 1 ? " in " + panel.title : "";
+    }
+    return words;
   }
 
   const std::vector<FigurePanel>& panels_;

@@ -40,6 +40,7 @@ double change_of(const Statistic& statistic, const Pair& pair) {
 Estimate change_of(const Statistic& statistic, const std::vector<Pair>& pairs,
                    const BootstrapConfig& bootstrap) {
   std::vector<double> changes;
+  changes.reserve(pairs.size());
   for (const Pair& pair : pairs) changes.push_back(change_of(statistic, pair));
   return statistic.estimator == Estimator::rate
              ? mean_estimate(std::move(changes), bootstrap)

@@ -19,13 +19,12 @@ enum class Estimator { rate, mean, median, p95, smallest };
 enum class Better { more, less, neither };
 
 // Where a statistic is shown. JSON, CSV and acceptance criteria have them all.
-enum Output : unsigned {
-  kText = 1,         // voronaut run, summary, report --format md
-  kEvidence = 2,     // docs/evidence.md
-  kPage = 4,         // the report's table
-  kSweep = 8,        // the report's plots over a parameter
-  kComparison = 16,  // one run against another: the change of it
-};
+using Output = unsigned;
+inline constexpr Output kText = 1;         // voronaut run, summary, report --format md
+inline constexpr Output kEvidence = 2;     // docs/evidence.md
+inline constexpr Output kPage = 4;         // the report's table
+inline constexpr Output kSweep = 8;        // the report's plots over a parameter
+inline constexpr Output kComparison = 16;  // one run against another: the change of it
 
 enum class Axis { linear, logarithmic };
 

@@ -27,19 +27,25 @@ std::vector<const Statistic*> shown_of(const Summary& summary) {
   return shown;
 }
 
+// "goal reached, SPL".
+std::string labels_over(TrialSet trials, const std::vector<const Statistic*>& shown) {
+  std::string text;
+  std::string_view last;
+  for (const Statistic* one : shown) {
+    if (one->trials != trials || one->label == last) continue;
+    text.append(text.empty() ? "" : ", ").append(one->label);
+    last = one->label;
+  }
+  return text;
+}
+
 // "all trials: goal reached, SPL; trials that moved: clearance".
 std::string trials_of(const std::vector<const Statistic*>& shown) {
   std::string text;
   for (const TrialSet trials : {TrialSet::all, TrialSet::moved, TrialSet::goal_reached}) {
-    std::vector<std::string_view> labels;
-    for (const Statistic* one : shown)
-      if (one->trials == trials && (labels.empty() || labels.back() != one->label))
-        labels.push_back(one->label);
-    for (const std::string_view label : labels) {
-      if (label == labels.front())
-        text.append(text.empty() ? "" : "; ").append(words(trials)).append(": ");
-      text.append(label == labels.front() ? "" : ", ").append(label);
-    }
+    const std::string labels = labels_over(trials, shown);
+    if (labels.empty()) continue;
+    text.append(text.empty() ? "" : "; ").append(words(trials)).append(": ").append(labels);
   }
   return text;
 }
