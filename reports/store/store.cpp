@@ -107,11 +107,15 @@ std::optional<Difference> first_difference(const RunRecord& a, const RunRecord& 
 }
 
 ResultStore::ResultStore(const std::filesystem::path& file, sqlite::OpenMode mode)
-    : database_(file, mode) {}
+    : database_(file, mode), pending_file_(std::make_unique<PendingFile>(pending_path(file))) {}
 
 ResultStore ResultStore::open(const std::filesystem::path& file) {
   ResultStore store(file, sqlite::OpenMode::existing);
   store.check_schema();
+  try {
+    store.take_in_pending();
+  } catch (const StoreError&) {  // may only be read: without what its runner left behind
+  }
   return store;
 }
 
@@ -119,6 +123,8 @@ ResultStore ResultStore::create(const std::filesystem::path& file, const Meta& m
   ResultStore store(file, sqlite::OpenMode::create);
   store.create_tables(meta);
   store.check_schema();
+  store.take_in_pending();
+  store.pending_file_->clear();
   return store;
 }
 
@@ -189,6 +195,12 @@ void ResultStore::restore_at_path() {
 bool ResultStore::insert_with_blob(const RunRecord& record, std::string_view trace_blob) {
   restore_at_path();
   sqlite::Transaction transaction(database_);
+  const bool inserted = insert_row(record, trace_blob);
+  if (inserted) transaction.commit();
+  return inserted;
+}
+
+bool ResultStore::insert_row(const RunRecord& record, std::string_view trace_blob) {
   if (const auto stored = this->record(record.trial_id)) {
     if (const auto difference = first_difference(*stored, record)) {
       throw StoreError(database_.file() + ": trial " + record.trial_id +
@@ -210,7 +222,6 @@ bool ResultStore::insert_with_blob(const RunRecord& record, std::string_view tra
     blob.bind_blob(2, trace_blob);
     blob.step();
   }
-  transaction.commit();
   return true;
 }
 
