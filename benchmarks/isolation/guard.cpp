@@ -15,6 +15,7 @@
 #include <unistd.h>
 
 #include "voronaut/benchmarks/isolation/process_tree.h"
+#include "voronaut/benchmarks/isolation/warm_memory.h"
 
 namespace voronaut {
 
@@ -97,6 +98,7 @@ void guard(const Guarded& guarded) {
   prctl(PR_SET_PDEATHSIG, SIGKILL);
   prctl(PR_SET_CHILD_SUBREAPER, 1);
   if (is_gone(guarded.supervisor_fd)) _exit(1);  // the supervisor died before that held
+  if (guarded.supervised.tasks.size() > 1) warm_memory();
   for (const ChildSeries::Task& task : guarded.supervised.tasks) {
     char go = 0;
     if (read(guarded.supervisor_fd, &go, 1) != 1) _exit(0);
