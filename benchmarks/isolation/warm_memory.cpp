@@ -8,7 +8,6 @@
 
 #include <fcntl.h>
 #include <link.h>
-#include <sys/mman.h>
 #include <unistd.h>
 
 namespace voronaut {
@@ -41,8 +40,8 @@ bool runs_trials(std::string_view object) {
   return false;
 }
 
-// A fork copies the page table of a file's mapping only where one of its pages is the process's
-// own, which writing a byte over itself makes it.
+// A fork copies the page table of a file's mapping, as far as it was used here, only where one of
+// its pages is the process's own, which writing a byte over itself makes it.
 int map_for_children(dl_phdr_info* object, std::size_t, void* memory) {
   if (!runs_trials(object->dlpi_name)) return 0;
   for (int i = 0; i < object->dlpi_phnum; ++i) {
@@ -50,16 +49,10 @@ int map_for_children(dl_phdr_info* object, std::size_t, void* memory) {
     if (segment.p_type != PT_LOAD || (segment.p_flags & PF_W) != 0) continue;
     const auto page = static_cast<std::uintptr_t>(sysconf(_SC_PAGESIZE));
     const std::uintptr_t begin = (object->dlpi_addr + segment.p_vaddr) & ~(page - 1);
-    const std::uintptr_t end = object->dlpi_addr + segment.p_vaddr + segment.p_memsz;
     char byte = 0;
     const int fd = *static_cast<const int*>(memory);
     const auto at = static_cast<off_t>(begin);
-    if (pread(fd, &byte, 1, at) != 1 || pwrite(fd, &byte, 1, at) != 1) continue;
-#ifdef MADV_POPULATE_READ
-    madvise(reinterpret_cast<void*>(begin), end - begin, MADV_POPULATE_READ);
-#else
-    static_cast<void>(end);
-#endif
+    if (pread(fd, &byte, 1, at) == 1) static_cast<void>(!pwrite(fd, &byte, 1, at));
   }
   return 0;
 }

@@ -3,6 +3,7 @@
 #include <chrono>
 #include <cstddef>
 #include <filesystem>
+#include <functional>
 #include <map>
 #include <memory>
 #include <optional>
@@ -66,6 +67,11 @@ class ResultStore {
   void flush_when_due();
   static constexpr std::chrono::seconds kPendingTimeMax{30};
 
+  // One record after another, however many there are; `order` is that of SQL's ORDER BY, texts by
+  // bytes.
+  void for_each_record(const std::function<void(const RunRecord&)>& use,
+                       const std::string& order = "trial_id") const;
+  std::size_t size() const;  // how many records
   // Ordered by trial_id (by bytes).
   std::vector<RunRecord> records() const;
   std::vector<std::string> trial_ids() const;
@@ -90,11 +96,13 @@ class ResultStore {
   void create_tables(const Meta& meta);
   void write_meta(const Meta& meta);
   void check_schema() const;
-  bool insert_row(const RunRecord& record, std::string_view trace_blob);  // in a transaction
+  struct RowStatements;  // prepared once for many rows
+  bool insert_row(RowStatements& prepared, const RunRecord& record, std::string_view trace_blob);
 
   void remember(PendingFile::Kind kind, std::string_view payload);
   void store_together(const std::vector<PackedTrial>& trials,
                       const std::vector<TraceWorld>& worlds);
+  void insert_rows(const std::vector<PackedTrial>& trials);  // in a transaction
   void take_in_pending();
   static std::filesystem::path pending_path(const std::filesystem::path& file);
   static constexpr std::size_t kPendingMax = 128;

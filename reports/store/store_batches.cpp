@@ -43,7 +43,7 @@ void ResultStore::store_together(const std::vector<PackedTrial>& trials,
                                  const std::vector<TraceWorld>& worlds) {
   sqlite::Transaction transaction(database_);
   for (const TraceWorld& world : worlds) insert_world(world);
-  for (const PackedTrial& trial : trials) insert_row(trial.record, trial.trace_blob);
+  insert_rows(trials);
   transaction.commit();
 }
 
