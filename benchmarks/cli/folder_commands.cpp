@@ -14,7 +14,7 @@ namespace voronaut {
 
 ExitCode execute(const SummaryOptions& options, const CommandContext& context) {
   const OutputFolder folder = OutputFolder::open(options.folder);
-  const Summary summary = summarise(folder.store().records());
+  const Summary summary = folder.summary();
   context.out << (options.json  ? summary_json(summary) + "\n"
                   : options.csv ? summary_csv(summary)
                                 : summary_text(summary) + folder.note_on_repetitions());

@@ -17,7 +17,7 @@ namespace voronaut {
 namespace {
 
 std::string markdown(const OutputFolder& folder, const std::optional<RunComparison>& comparison) {
-  std::string text = summary_markdown(summarise(folder.store().records()));
+  std::string text = summary_markdown(folder.summary());
   if (comparison) text += "\n" + comparison_markdown(*comparison);
   return text;
 }

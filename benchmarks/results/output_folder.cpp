@@ -14,6 +14,7 @@
 #include "voronaut/reports/page/html_report.h"
 #include "voronaut/reports/store/atomic_file.h"
 #include "voronaut/reports/store/csv_writer.h"
+#include "voronaut/reports/summary/summary_table.h"
 
 namespace voronaut {
 
@@ -134,6 +135,12 @@ SuiteSource OutputFolder::source() const {
   const auto meta = [&](const char* key) { return store_.meta(key).value_or(""); };
   return {meta("suite_file"), meta("suite_text"),  meta("data"),
           meta("seed"),       meta("repetitions"), store_.kept_files()};
+}
+
+Summary OutputFolder::summary() const {
+  SummaryTable table;
+  store_.for_each_record([&](const RunRecord& record) { table.add(record); });
+  return table.summarise();
 }
 
 std::string OutputFolder::note_on_repetitions() const {

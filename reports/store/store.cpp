@@ -318,9 +318,15 @@ std::optional<Trace> ResultStore::trace(std::string_view trial_id) const {
 }
 
 std::vector<TraceWorld> ResultStore::worlds() const {
+  return worlds(std::numeric_limits<std::size_t>::max(), [](const std::string&) { return true; });
+}
+
+std::vector<TraceWorld> ResultStore::worlds(
+    std::size_t most, const std::function<bool(const std::string& id)>& wanted) const {
   std::vector<TraceWorld> list;
   sqlite::Statement query(database_, "SELECT world_id, json FROM worlds ORDER BY world_id");
-  while (query.step()) {
+  while (list.size() < most && query.step()) {
+    if (!wanted(query.text(0))) continue;
     try {
       list.push_back(world_from_json(query.text(1)));
     } catch (const std::invalid_argument& error) {

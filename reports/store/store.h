@@ -68,7 +68,7 @@ class ResultStore {
   static constexpr std::chrono::seconds kPendingTimeMax{30};
 
   // One record after another, however many there are; `order` is that of SQL's ORDER BY, texts by
-  // bytes.
+  // bytes, and may end with a LIMIT.
   void for_each_record(const std::function<void(const RunRecord&)>& use,
                        const std::string& order = "trial_id") const;
   std::size_t size() const;  // how many records
@@ -81,6 +81,9 @@ class ResultStore {
   std::optional<std::string> trace_blob(std::string_view trial_id) const;
   std::map<std::string, std::size_t> trace_sizes() const;  // bytes of each trace_blob
   std::vector<TraceWorld> worlds() const;                  // ordered by world_id
+  // At most so many of those that are wanted.
+  std::vector<TraceWorld> worlds(std::size_t most,
+                                 const std::function<bool(const std::string& id)>& wanted) const;
 
   // All of it or nothing.
   void set_meta(const Meta& meta);
