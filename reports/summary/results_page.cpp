@@ -76,16 +76,15 @@ const ExampleQuery kQueries[] = {
 std::string database() {
   TextTable table = table_of({"table", "columns", "what it holds"});
   table.rows = {
-      {"`trials`", "those above", "one row for each trial; texts and counts are never NULL"},
-      {"`worlds`", "`world_id`, `json`",
+      {"trials", "those above", "one row for each trial; texts and counts are never NULL"},
+      {"worlds", "world_id, json",
        "the true world of trials: bounds, circles, polygons, segments, start and goal, in m"},
-      {"`traces`", "`trial_id`, `data`",
-       "what a replay draws, where the suite keeps it: JSON (`reports/trace/trace_json.h`), "
+      {"traces", "trial_id, data",
+       "what a replay draws, where the suite keeps it: JSON (reports/trace/trace_json.h), "
        "compressed as raw deflate (RFC 1951)"},
-      {"`files`", "`path`, `data`",
+      {"files", "path, data",
        "what was read to make the trials, byte for byte, compressed in the same way"},
-      {"`meta`", "`key`, `value`",
-       "the suite's text, seed and repetitions, the build that flew it"}};
+      {"meta", "key, value", "the suite's text, seed and repetitions, the build that flew it"}};
   std::string text = table.markdown();
   text +=
       "\nA trace is unpacked by `python3 -c \"import sqlite3, zlib, sys; "

@@ -34,7 +34,7 @@ TEST(ResultsPage, ShowsQueriesThatTheDatabaseAnswers) {
   }
   sqlite::Statement tables(database, "SELECT name FROM sqlite_master WHERE type = 'table'");
   while (tables.step())
-    EXPECT_NE(results_page().find("| `" + tables.text(0) + "` |"), std::string::npos)
+    EXPECT_NE(results_page().find("| " + tables.text(0) + " |"), std::string::npos)
         << tables.text(0);
 }
 
