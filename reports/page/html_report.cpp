@@ -57,10 +57,12 @@ ReportInput read_report_input(const ResultStore& store, std::string title,
   ReportInput input;
   input.title = std::move(title);
   input.manifest_json = std::move(manifest_json);
-  SummaryTable table;
-  store.for_each_record([&](const RunRecord& record) { table.add(record); });
-  input.summary = table.summarise();
-  input.stored_trials = static_cast<std::size_t>(table.size());
+  {  // gone before the records to draw are there
+    SummaryTable table;
+    store.for_each_record([&](const RunRecord& record) { table.add(record); });
+    input.summary = table.summarise();
+    input.stored_trials = static_cast<std::size_t>(table.size());
+  }
   input.records = records_to_draw(store, trials_max);
   const auto sizes = store.trace_sizes();
   input.stored_traces = sizes.size();
