@@ -179,8 +179,8 @@ void OutputFolder::write_csv() const {
 
 void OutputFolder::write_report(const fs::path& file, std::optional<RunComparison> comparison,
                                 const std::string& mapping_json) const {
-  const auto ids = store_.trial_ids();
-  const std::string suite = ids.empty() ? "empty" : store_.record(ids.front())->suite;
+  std::string suite = "empty";
+  store_.for_each_record([&](const RunRecord& first) { suite = first.suite; }, "trial_id LIMIT 1");
   ReportInput input = read_report_input(store_, suite, text_of(this->file("manifest.json")));
   input.folder = folder_.string();
   input.comparison = std::move(comparison);
