@@ -58,13 +58,13 @@ macro(voronaut_find target)
   elseif("${target}" STREQUAL "CLI11::CLI11")
     find_package(CLI11 REQUIRED)
   elseif("${target}" STREQUAL "voronaut_rsvg")
-    # Optional: figures as PNG.
+    # Optional: figures as PNG. Only its headers: it is loaded when the first one is drawn.
     find_package(PkgConfig QUIET)
     if(PKG_CONFIG_FOUND)
       pkg_check_modules(VORONAUT_RSVG QUIET "librsvg-2.0>=2.52" cairo-png)
     endif()
     voronaut_system_library(voronaut_rsvg
-      INCLUDES ${VORONAUT_RSVG_INCLUDE_DIRS} LIBRARIES ${VORONAUT_RSVG_LINK_LIBRARIES})
+      INCLUDES ${VORONAUT_RSVG_INCLUDE_DIRS} LIBRARIES ${CMAKE_DL_LIBS})
   else()
     message(FATAL_ERROR "cmake/dependencies.cmake knows no package that brings '${target}'")
   endif()

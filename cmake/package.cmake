@@ -16,6 +16,9 @@ set(CPACK_DEBIAN_RUNTIME_PACKAGE_NAME voronaut)
 set(CPACK_COMPONENT_RUNTIME_DESCRIPTION "${PROJECT_DESCRIPTION}")
 # Which packages hold the libraries that the program links is dpkg-shlibdeps' knowledge.
 set(CPACK_DEBIAN_RUNTIME_PACKAGE_SHLIBDEPS ON)
+if(VORONAUT_RSVG_FOUND)
+  set(CPACK_DEBIAN_RUNTIME_PACKAGE_DEPENDS "librsvg2-2")  # loaded, not linked
+endif()
 
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_NAME libvoronaut-dev)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SECTION libdevel)

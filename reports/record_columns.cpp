@@ -63,7 +63,7 @@ const RecordColumn kColumns[] = {
     {"step_time_us_mean", &R::step_time_us_mean, measured, moved, "\u00b5s", "mean time of a step: sense, map, plan, navigate, regulate, integrate"},
     {"step_time_us_p99", &R::step_time_us_p99, measured, moved, "\u00b5s", "99th percentile of the time of a step"},
     {"cpu_time_s", &R::cpu_time_s, measured, all, "s", "CPU time of the trial's process"},
-    {"memory_max_mb", &R::memory_max_mb, measured, all, "MB", "most memory of the trial's process"},
+    {"memory_max_mb", &R::memory_max_mb, measured, all, "MB", "most memory of the trial's process beyond what it inherited"},
     // clang-format on
 };
 

@@ -83,7 +83,7 @@ ExitCode execute(const ExportOptions& options, const CommandContext& context) {
   const std::string out =
       options.out.empty() ? folder.file("export." + ending).string() : options.out;
   if (options.format == "csv")
-    write_file_atomically(out, records_to_csv(folder.store().records()));
+    write_file_atomically(out, [&](std::ostream& file) { write_csv_of(folder.store(), file); });
   else if (options.format == "mcap")
     write_file_atomically(out, mcap_log(folder.store()));
   else if (options.format == "plannerarena")

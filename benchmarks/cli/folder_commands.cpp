@@ -14,7 +14,7 @@ namespace voronaut {
 
 ExitCode execute(const SummaryOptions& options, const CommandContext& context) {
   const OutputFolder folder = OutputFolder::open(options.folder);
-  const Summary summary = summarise(folder.store().records());
+  const Summary summary = folder.summary();
   context.out << (options.json  ? summary_json(summary) + "\n"
                   : options.csv ? summary_csv(summary)
                                 : summary_text(summary) + folder.note_on_repetitions());
@@ -22,8 +22,9 @@ ExitCode execute(const SummaryOptions& options, const CommandContext& context) {
 }
 
 ExitCode execute(const DigestOptions& options, const CommandContext& context) {
-  const auto records = OutputFolder::open(options.folder).store().records();
-  context.out << (options.flights ? flights_digest(records) : digest(records)) << "\n";
+  const OutputFolder folder = OutputFolder::open(options.folder);
+  const ResultStore& store = folder.store();
+  context.out << (options.flights ? flights_digest(store) : digest(store)) << "\n";
   return ExitCode::success;
 }
 

@@ -17,7 +17,7 @@ namespace voronaut {
 namespace {
 
 std::string markdown(const OutputFolder& folder, const std::optional<RunComparison>& comparison) {
-  std::string text = summary_markdown(summarise(folder.store().records()));
+  std::string text = summary_markdown(folder.summary());
   if (comparison) text += "\n" + comparison_markdown(*comparison);
   return text;
 }
@@ -62,7 +62,13 @@ ExitCode execute(const ReportOptions& options, const CommandContext& context) {
   if (!options.compare.empty())
     comparison = folder.compare_with(OutputFolder::open(options.compare));
   if (options.format == "csv") {
-    write(options, context, records_to_csv(folder.store().records()));
+    if (options.out.empty()) {
+      write_csv_of(folder.store(), context.out);
+    } else {
+      write_file_atomically(options.out,
+                            [&](std::ostream& file) { write_csv_of(folder.store(), file); });
+      context.out << options.out << "\n";
+    }
   } else if (options.format == "md") {
     write(options, context, markdown(folder, comparison));
   } else {

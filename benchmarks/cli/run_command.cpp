@@ -39,14 +39,15 @@ ExitCode report_run(const RunReport& run, const OutputFolder& folder,
                     const CommandContext& context) {
   folder.write_csv();
   folder.write_report();
-  const auto records = folder.store().records();
+  const std::size_t trials = folder.store().size();
   std::size_t failed = 0;
-  for (const RunRecord& record : records) failed += entry_of(record.outcome).cut_off ? 1 : 0;
-  context.out << summary_text(summarise(records)) << folder.note_on_repetitions() << "\n";
+  folder.store().for_each_record(
+      [&](const RunRecord& record) { failed += entry_of(record.outcome).cut_off ? 1 : 0; });
+  context.out << summary_text(folder.summary()) << folder.note_on_repetitions() << "\n";
   if (run.stored > 0)
     context.out << run.stored << " trials were there, " << run.done << " are new\n";
   if (failed > 0)
-    context.out << failed << " of " << records.size()
+    context.out << failed << " of " << trials
                 << " trials ended as crash, killed, memory or invalid\n";
   context.out << "report: " << folder.file("report.html").string() << std::endl;
   return failed > 0 ? ExitCode::failure : ExitCode::success;

@@ -62,7 +62,7 @@ Flight::Flight(const TrialSpec& trial, const PlannerCatalog& planners, bool keep
       navigator(navigator_config(trial), planners),
       recorder(*trial.scenario.world, navigator, keep_scans),
       referee(trial.scenario, trial.vehicle.body_radius_m, trial.shortest_length_m,
-              trial.flight.loop) {}
+              trial.flight.loop, trial.contacts) {}
 
 VehicleState Flight::at_start() const {
   const Scenario& scenario = spec.scenario;

@@ -45,41 +45,58 @@ fcl::Transform3d at(const Vec2& p) {
   return pose;
 }
 
+class FclScene : public CollisionScene {
+ public:
+  explicit FclScene(const Shapes& shapes) {
+    for (const Circle& circle : shapes.circles)
+      add(std::make_shared<fcl::Cylinderd>(circle.radius_m, kObstacleHeight_m), at(circle.center));
+    if (!shapes.segments.empty() || !shapes.polygons.empty())
+      add(wall_mesh(shapes), fcl::Transform3d::Identity());
+    tree_.setup();
+  }
+
+  bool touches(fcl::CollisionObjectd& body) const {
+    fcl::DefaultCollisionData<double> contact;
+    tree_.collide(&body, &contact, fcl::DefaultCollisionFunction);
+    return contact.result.isCollision();
+  }
+
+ private:
+  void add(const std::shared_ptr<fcl::CollisionGeometryd>& geometry, const fcl::Transform3d& pose) {
+    obstacles_.push_back(std::make_unique<fcl::CollisionObjectd>(geometry, pose));
+    tree_.registerObject(obstacles_.back().get());
+  }
+
+  std::vector<std::unique_ptr<fcl::CollisionObjectd>> obstacles_;
+  fcl::DynamicAABBTreeCollisionManagerd tree_;
+};
+
 }  // namespace
 
-struct GroundTruthCollisionChecker::Scene {
-  std::vector<std::unique_ptr<fcl::CollisionObjectd>> obstacles;
-  fcl::DynamicAABBTreeCollisionManagerd tree;
-  std::unique_ptr<fcl::CollisionObjectd> body;
+std::shared_ptr<const CollisionScene> CollisionScene::of(const Shapes& shapes) {
+  return std::make_shared<FclScene>(shapes);
+}
 
-  void add(const std::shared_ptr<fcl::CollisionGeometryd>& geometry, const fcl::Transform3d& pose) {
-    obstacles.push_back(std::make_unique<fcl::CollisionObjectd>(geometry, pose));
-    tree.registerObject(obstacles.back().get());
-  }
+struct GroundTruthCollisionChecker::Body {
+  explicit Body(double radius_m)
+      : cylinder(std::make_shared<fcl::Cylinderd>(radius_m, kBodyHeight_m),
+                 fcl::Transform3d::Identity()) {}
+  fcl::CollisionObjectd cylinder;
 };
 
 GroundTruthCollisionChecker::GroundTruthCollisionChecker(const Shapes& shapes, double body_radius_m)
-    : scene_(std::make_unique<Scene>()) {
-  for (const Circle& circle : shapes.circles) {
-    scene_->add(std::make_shared<fcl::Cylinderd>(circle.radius_m, kObstacleHeight_m),
-                at(circle.center));
-  }
-  if (!shapes.segments.empty() || !shapes.polygons.empty()) {
-    scene_->add(wall_mesh(shapes), fcl::Transform3d::Identity());
-  }
-  scene_->tree.setup();
-  scene_->body = std::make_unique<fcl::CollisionObjectd>(
-      std::make_shared<fcl::Cylinderd>(body_radius_m, kBodyHeight_m), fcl::Transform3d::Identity());
-}
+    : GroundTruthCollisionChecker(CollisionScene::of(shapes), body_radius_m) {}
+
+GroundTruthCollisionChecker::GroundTruthCollisionChecker(
+    std::shared_ptr<const CollisionScene> scene, double body_radius_m)
+    : scene_(std::move(scene)), body_(std::make_unique<Body>(body_radius_m)) {}
 
 GroundTruthCollisionChecker::~GroundTruthCollisionChecker() = default;
 
 bool GroundTruthCollisionChecker::touches(const Vec2& p_world) const {
-  scene_->body->setTransform(at(p_world));
-  scene_->body->computeAABB();
-  fcl::DefaultCollisionData<double> contact;
-  scene_->tree.collide(scene_->body.get(), &contact, fcl::DefaultCollisionFunction);
-  return contact.result.isCollision();
+  body_->cylinder.setTransform(at(p_world));
+  body_->cylinder.computeAABB();
+  return static_cast<const FclScene&>(*scene_).touches(body_->cylinder);
 }
 
 }  // namespace voronaut

@@ -6,6 +6,14 @@
 
 namespace voronaut {
 
+// The obstacles of a world as FCL holds them: any number of checkers may share them.
+class CollisionScene {
+ public:
+  // O(n log n) for n shapes.
+  static std::shared_ptr<const CollisionScene> of(const Shapes& shapes);
+  virtual ~CollisionScene() = default;
+};
+
 // Contacts of an upright cylinder with the true world, answered by FCL: an opinion that shares no
 // code with our planners, sensors and clearances. Circles are cylinders, walls and the outlines of
 // polygons are upright rectangles; a body that starts inside a polygon is the scenario's error.
@@ -13,6 +21,7 @@ namespace voronaut {
 class GroundTruthCollisionChecker {
  public:
   GroundTruthCollisionChecker(const Shapes& shapes, double body_radius_m);
+  GroundTruthCollisionChecker(std::shared_ptr<const CollisionScene> scene, double body_radius_m);
   ~GroundTruthCollisionChecker();
 
   // True if the body centred at p touches anything. O(log n) broad phase plus the overlapping
@@ -20,8 +29,9 @@ class GroundTruthCollisionChecker {
   bool touches(const Vec2& p_world) const;
 
  private:
-  struct Scene;
-  std::unique_ptr<Scene> scene_;
+  struct Body;
+  std::shared_ptr<const CollisionScene> scene_;
+  std::unique_ptr<Body> body_;
 };
 
 }  // namespace voronaut

@@ -21,10 +21,11 @@ std::string at_text(const char* what, double now_s, const Vec2& p) {
 }  // namespace
 
 Referee::Referee(const Scenario& scenario, double body_radius_m, double shortest_length_m,
-                 const LoopConfig& config)
+                 const LoopConfig& config, std::shared_ptr<const CollisionScene> contacts)
     : scenario_(scenario),
       config_(config),
-      contacts_(scenario.world->shapes(), body_radius_m),
+      contacts_(contacts ? std::move(contacts) : CollisionScene::of(scenario.world->shapes()),
+                body_radius_m),
       anchor_(scenario.start_world) {
   const double reference_m = std::isfinite(shortest_length_m)
                                  ? shortest_length_m

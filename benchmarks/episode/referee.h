@@ -22,8 +22,9 @@ struct Verdict {
 // Watches every vehicle step and says when a trial is over, from the true world alone.
 class Referee {
  public:
+  // `contacts` of the scenario's world; null: made here.
   Referee(const Scenario& scenario, double body_radius_m, double shortest_length_m,
-          const LoopConfig& config);
+          const LoopConfig& config, std::shared_ptr<const CollisionScene> contacts = nullptr);
 
   void judge(double now_s, const VehicleState& state);
   // What navigation says of itself. The planner's own proof that there is no path ends the trial.

@@ -14,6 +14,7 @@
 #include <fcntl.h>
 #include <poll.h>
 #include <sys/mman.h>
+#include <sys/socket.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -34,11 +35,12 @@ constexpr off_t kErrorBytes = off_t{64} * 1024;  // of standard error that are k
 }
 
 // A file of fixed size in memory: what is written past it is refused, so a talkative child costs
-// nothing.
+// nothing; nor can a child spoil it for the next one.
 int make_error_file() {
   const int fd = memfd_create("voronaut-stderr", MFD_CLOEXEC | MFD_ALLOW_SEALING);
   if (fd < 0) return fd;
-  if (ftruncate(fd, kErrorBytes) != 0 || fcntl(fd, F_ADD_SEALS, F_SEAL_GROW) != 0) {
+  if (ftruncate(fd, kErrorBytes) != 0 ||
+      fcntl(fd, F_ADD_SEALS, F_SEAL_GROW | F_SEAL_SHRINK | F_SEAL_SEAL) != 0) {
     close(fd);
     return -1;
   }
@@ -106,15 +108,21 @@ std::string end_in_words(const ChildReport& report, const ProcessLimits& limits)
   return "sent a garbled result";
 }
 
-ChildProcess::ChildProcess(const Work& work, const ProcessLimits& limits, const Setup& setup)
-    : cpu_limit_s_(std::ceil(limits.cpu_s)) {
+ChildSeries::ChildSeries(const std::vector<Task>& tasks, const ProcessLimits& limits,
+                         const Setup& setup)
+    : tasks_(tasks.size()),
+      cpu_limit_s_(std::ceil(limits.cpu_s)),
+      patience_(kSupervisorPatience + std::chrono::duration_cast<Clock::duration>(
+                                          std::chrono::duration<double>(limits.wall_s))),
+      deadline_(Clock::time_point::max()) {
   void* page =
       mmap(nullptr, sizeof(LastWords), PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
   if (page == MAP_FAILED) fail("a shared page for a child");
   last_words_ = new (page) LastWords();
   std::array<int, 2> output{-1, -1};
   std::array<int, 2> verdict{-1, -1};
-  if (pipe2(output.data(), O_CLOEXEC) != 0 || pipe2(verdict.data(), O_CLOEXEC) != 0) {
+  if (pipe2(output.data(), O_CLOEXEC) != 0 ||
+      socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, verdict.data()) != 0) {
     const std::error_code why(errno, std::generic_category());
     for (const int fd : output) close(fd);
     munmap(page, sizeof(LastWords));
@@ -130,12 +138,12 @@ ChildProcess::ChildProcess(const Work& work, const ProcessLimits& limits, const 
   const pid_t caller = getpid();
   pid_ = fork();
   if (pid_ == 0)
-    supervise({work,
+    supervise({tasks,
                limits,
                setup,
                caller,
                verdict[1],
-               {output[1], error_fd_, 0, static_cast<LastWords*>(page), setup.streams}});
+               {output[1], error_fd_, static_cast<LastWords*>(page), setup.streams}});
   const std::error_code why(errno, std::generic_category());
   close(output[1]);
   close(verdict[1]);
@@ -144,12 +152,9 @@ ChildProcess::ChildProcess(const Work& work, const ProcessLimits& limits, const 
     munmap(page, sizeof(LastWords));
     throw std::system_error(why, "a child process");
   }
-  deadline_ =
-      Clock::now() + kSupervisorPatience +
-      std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(limits.wall_s));
 }
 
-ChildProcess::~ChildProcess() {
+ChildSeries::~ChildSeries() {
   if (pid_ > 0) {
     kill(pid_, SIGTERM);
     wait_for_supervisor();
@@ -160,8 +165,25 @@ ChildProcess::~ChildProcess() {
   munmap(last_words_, sizeof(LastWords));
 }
 
+bool ChildSeries::start_next() {
+  if (pid_ < 0 || started_ == tasks_) return false;
+  new (last_words_) LastWords();
+  received_.clear();
+  report_ = {};
+  over_wall_limit_ = over_output_limit_ = false;
+  const char go = 0;
+  if (send(verdict_fd_, &go, 1, MSG_NOSIGNAL) != 1) {
+    wait_for_supervisor();
+    return false;
+  }
+  ++started_;
+  running_ = true;
+  deadline_ = Clock::now() + patience_;
+  return true;
+}
+
 // It ends as soon as nothing is left below it, unless somebody stopped it.
-void ChildProcess::wait_for_supervisor() {
+void ChildSeries::wait_for_supervisor() {
   const auto patience = Clock::now() + kSupervisorPatience;
   pid_t ended = 0;
   while ((ended = waitpid(pid_, nullptr, WNOHANG)) == 0 || (ended < 0 && errno == EINTR)) {
@@ -171,7 +193,7 @@ void ChildProcess::wait_for_supervisor() {
   pid_ = -1;
 }
 
-void ChildProcess::read_output() {
+void ChildSeries::read_output() {
   std::array<char, 65536> buffer;
   while (output_fd_ >= 0) {
     const ssize_t count = read(output_fd_, buffer.data(), buffer.size());
@@ -191,14 +213,17 @@ void ChildProcess::read_output() {
   }
 }
 
-bool ChildProcess::has_ended() {
-  if (pid_ < 0) return true;
+bool ChildSeries::has_ended() {
+  if (!running_) return true;
   Verdict verdict;
   const ssize_t size = read(verdict_fd_, &verdict, sizeof verdict);
   if (size < 0 && (errno == EAGAIN || errno == EINTR)) return false;
-  wait_for_supervisor();
+  const bool whole = size == sizeof verdict;
+  if (!whole || verdict.last) wait_for_supervisor();
   read_output();
-  if (size != sizeof verdict) {
+  running_ = false;
+  deadline_ = Clock::time_point::max();
+  if (!whole) {
     verdict.cause = Verdict::Cause::guard_ended;  // the supervisor itself was killed
   } else if (verdict.cause == Verdict::Cause::not_started) {
     throw std::system_error(verdict.error, std::generic_category(), "a child process");
@@ -209,7 +234,7 @@ bool ChildProcess::has_ended() {
   return true;
 }
 
-void ChildProcess::interpret(const Verdict& verdict) {
+void ChildSeries::interpret(const Verdict& verdict) {
   using Cause = Verdict::Cause;
   using End = ChildReport::End;
   if (over_output_limit_) {
@@ -226,7 +251,7 @@ void ChildProcess::interpret(const Verdict& verdict) {
   }
 }
 
-void ChildProcess::interpret_end(int wait_status) {
+void ChildSeries::interpret_end(int wait_status) {
   using End = ChildReport::End;
   const auto* words = static_cast<const LastWords*>(last_words_);
   auto frame = parse_frame(received_);
@@ -261,11 +286,16 @@ void ChildProcess::interpret_status(int wait_status, std::string last_message) {
   if (report_.message.empty()) report_.message = failed_assertion(error_fd_);
 }
 
-void ChildProcess::enforce_wall_limit(Clock::time_point now) {
+void ChildSeries::enforce_wall_limit(Clock::time_point now) {
   if (pid_ < 0 || now < deadline_) return;
   kill(pid_, SIGKILL);
   over_wall_limit_ = true;
   deadline_ = now + kSupervisorPatience;
+}
+
+ChildProcess::ChildProcess(const Work& work, const ProcessLimits& limits, const Setup& setup)
+    : ChildSeries({{work}}, limits, setup) {
+  start_next();
 }
 
 ChildReport run_in_child(const ChildProcess::Work& work, const ProcessLimits& limits,

@@ -42,23 +42,32 @@ struct ChildReport {
   std::string output;
   std::string message;
   double cpu_time_s = 0;
-  double memory_max_mb = 0;  // largest resident set, pages shared with the parent included
+  double memory_max_mb = 0;  // largest resident set beyond what it inherited
 };
 
 // Why it brought no result, in one line: "ended by SIGABRT: a.h:12: f: Assertion `x' failed.".
 std::string end_in_words(const ChildReport& report, const ProcessLimits& limits);
 
-// One child, behind a supervisor (supervisor.h) that holds its limits and takes along whatever it
-// started. The caller must have a single thread when it starts one, and nothing else about it
-// changes: no signal handler, no subreaper, no children but the supervisor. The child inherits
-// nothing but standard streams and its pipe, stands in a session of its own, so that a Ctrl-C on
-// the terminal reaches the caller only, and dies with the caller. It ends without running
-// destructors of the caller's objects.
-class ChildProcess {
+// Children one after another, each for one task, behind one supervisor (supervisor.h) that holds
+// their limits and takes along whatever they started. They are forked from a warm parent that does
+// nothing but prepare tasks, and what the system needs for a series of children is made once. The
+// caller must have a single thread when it makes a series, and nothing else about it changes: no
+// signal handler, no subreaper, no children but the supervisor. A child inherits nothing but
+// standard streams and its pipe, stands in a session of its own, so that a Ctrl-C on the terminal
+// reaches the caller only, and dies with the caller. It ends without running destructors of the
+// caller's objects.
+class ChildSeries {
  public:
   using Clock = std::chrono::steady_clock;
   using Work = std::function<std::string()>;
   enum class Streams { silent, inherited };
+
+  struct Task {
+    Work work;  // in the child
+    // In the warm parent before the child is forked: what it leaves in memory is shared by this
+    // child and all later ones. An exception is ignored: the work will meet the same.
+    std::function<void()> prepare{};
+  };
 
   struct Setup {
     Streams streams = Streams::silent;
@@ -67,13 +76,19 @@ class ChildProcess {
     bool namespaces = true;  // false: as on a system that allows none
   };
 
-  // Forks; throws std::system_error if that is impossible.
-  ChildProcess(const Work& work, const ProcessLimits& limits, const Setup& setup);
-  ChildProcess(const ChildProcess&) = delete;
-  ChildProcess& operator=(const ChildProcess&) = delete;
-  ~ChildProcess();  // stops it if it still runs
+  // Forks; throws std::system_error if that is impossible. No child is started.
+  ChildSeries(const std::vector<Task>& tasks, const ProcessLimits& limits, const Setup& setup);
+  ChildSeries(const ChildSeries&) = delete;
+  ChildSeries& operator=(const ChildSeries&) = delete;
+  ~ChildSeries();  // stops what still runs
 
-  // For poll(): readable when there is output, and when it has ended.
+  // Starts the child of the next task; the one before has ended. False if there is none any more:
+  // all tasks are done, or somebody killed what they have in common, or a child left something
+  // behind that goes only with all of it. started() tells which are left over.
+  bool start_next();
+  std::size_t started() const { return started_; }
+
+  // For poll(): readable when there is output, and when the child has ended.
   int output_fd() const { return output_fd_; }
   int verdict_fd() const { return verdict_fd_; }
 
@@ -95,17 +110,27 @@ class ChildProcess {
   void interpret_status(int wait_status, std::string last_message);
   void wait_for_supervisor();
 
-  pid_t pid_ = -1;  // of the supervisor
-  int verdict_fd_ = -1;
+  pid_t pid_ = -1;       // of the supervisor
+  int verdict_fd_ = -1;  // a socket: starts children, brings verdicts
   int output_fd_ = -1;
   int error_fd_ = -1;           // memory file that holds the child's standard error
   void* last_words_ = nullptr;  // page shared with the child
-  double cpu_limit_s_ = 0;
+  std::size_t tasks_;
+  std::size_t started_ = 0;
+  bool running_ = false;
+  double cpu_limit_s_;
+  Clock::duration patience_;  // with a supervisor that has a child
   Clock::time_point deadline_;
   bool over_wall_limit_ = false;
   bool over_output_limit_ = false;
   std::string received_;
   ChildReport report_;
+};
+
+// A series of one, started.
+class ChildProcess : public ChildSeries {
+ public:
+  ChildProcess(const Work& work, const ProcessLimits& limits, const Setup& setup);
 };
 
 // Waits for one child alone.

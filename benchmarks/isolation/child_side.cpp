@@ -60,23 +60,14 @@ void note_message(const char* text) {
   std::abort();
 }
 
-double address_space_bytes() {
-  double pages = 0;
-  if (std::FILE* file = std::fopen("/proc/self/statm", "r")) {
-    if (std::fscanf(file, "%lf", &pages) != 1) pages = 0;
-    std::fclose(file);
-  }
-  return pages * static_cast<double>(sysconf(_SC_PAGESIZE));
-}
-
 void set_limit(__rlimit_resource resource, double soft, double hard) {
   const rlimit limit{static_cast<rlim_t>(soft), static_cast<rlim_t>(hard)};
   setrlimit(resource, &limit);
 }
 
-void set_limits(const ProcessLimits& limits) {
+void set_limits(const ProcessLimits& limits, double inherited_bytes) {
   if (!kSanitized) {
-    const double bytes = address_space_bytes() + limits.memory_mb * 1024 * 1024;
+    const double bytes = inherited_bytes + limits.memory_mb * 1024 * 1024;
     set_limit(RLIMIT_AS, bytes, bytes);
   }
   const double seconds = std::ceil(limits.cpu_s);
@@ -99,7 +90,10 @@ void silence_streams(int error_fd) {
     dup2(nothing, STDIN_FILENO);
     dup2(nothing, STDOUT_FILENO);
   }
-  if (!kSanitized && error_fd >= 0) dup2(error_fd, STDERR_FILENO);
+  if (kSanitized || error_fd < 0) return;
+  fcntl(error_fd, F_SETFL, 0);
+  lseek(error_fd, 0, SEEK_SET);
+  dup2(error_fd, STDERR_FILENO);
 }
 
 bool write_all(int fd, std::string_view bytes) {
@@ -118,6 +112,20 @@ void send(int fd, FrameKind kind, std::string_view payload) {
 
 }  // namespace
 
+MemorySize own_memory() {
+  std::array<char, 128> text{};
+  double total = 0;
+  double resident = 0;
+  const int fd = open("/proc/self/statm", O_RDONLY | O_CLOEXEC);
+  if (fd < 0) return {};
+  if (read(fd, text.data(), text.size() - 1) <= 0 ||
+      std::sscanf(text.data(), "%lf %lf", &total, &resident) != 2)
+    total = resident = 0;
+  close(fd);
+  const auto page = static_cast<double>(sysconf(_SC_PAGESIZE));
+  return {total * page, resident * page / (1024 * 1024)};
+}
+
 void run_child_side(const ChildProcess::Work& work, const ProcessLimits& limits,
                     const ChildSide& side) {
   setsid();
@@ -126,12 +134,13 @@ void run_child_side(const ChildProcess::Work& work, const ProcessLimits& limits,
   reset_signals();
   if (side.streams == ChildProcess::Streams::silent) silence_streams(side.error_fd);
   const int output_fd = move_out_of_reach(side.output_fd);
+  fcntl(output_fd, F_SETFL, 0);  // what an earlier child did to the pipe is not for this one
   close_all_but({output_fd});
   give_up_mounting();
   g_last_words = side.last_words;
   std::set_new_handler(note_refused_allocation);
   std::set_terminate(note_uncaught_exception);
-  set_limits(limits);
+  set_limits(limits, side.inherited_bytes);
 
   try {
     send(output_fd, FrameKind::result, work());

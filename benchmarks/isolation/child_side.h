@@ -18,12 +18,20 @@ struct LastWords {
   std::array<char, 1024> message{};  // zero-terminated; of an exception that nobody caught
 };
 
+// What a process holds, as /proc/self/statm says it.
+struct MemorySize {
+  double address_space_bytes = 0;
+  double resident_mb = 0;
+};
+MemorySize own_memory();
+
 struct ChildSide {
   int output_fd;
   int error_fd;  // becomes standard error
-  pid_t parent;  // the guard, by the number that the child sees
   LastWords* last_words;
   ChildProcess::Streams streams;
+  pid_t parent = 0;            // the guard, by the number that the child sees
+  double inherited_bytes = 0;  // of address space, when it was forked
 };
 
 // Closes all but its pipe, sets the limits, does the work, writes one frame and leaves with _exit.

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cerrno>
 #include <csignal>
-#include <list>
-#include <memory>
+#include <iterator>
 #include <system_error>
+#include <utility>
 #include <vector>
 
 #include <poll.h>
@@ -55,64 +55,117 @@ class StopSignals {
   bool received_ = false;
 };
 
-struct Running {
-  std::unique_ptr<ChildProcess> process;
-  std::function<void(const ChildReport&)> done;
-};
-
-void wait_for_events(const std::list<Running>& children, int signal_fd) {
-  std::vector<pollfd> fds{{signal_fd, POLLIN, 0}};
-  auto wake = ChildProcess::Clock::now() + std::chrono::milliseconds(200);
-  for (const Running& child : children) {
-    fds.push_back({child.process->output_fd(), POLLIN, 0});
-    fds.push_back({child.process->verdict_fd(), POLLIN, 0});
-    wake = std::min(wake, child.process->deadline());
-  }
-  const auto wait = std::chrono::ceil<std::chrono::milliseconds>(wake - ChildProcess::Clock::now());
-  poll(fds.data(), fds.size(), static_cast<int>(std::max<std::int64_t>(wait.count(), 0)));
-}
-
-// Takes care of every child once; those that have ended are handed over and forgotten.
-void attend(std::list<Running>& children) {
-  for (auto child = children.begin(); child != children.end();) {
-    child->process->read_output();
-    if (child->process->has_ended()) {
-      const Running ended = std::move(*child);
-      child = children.erase(child);
-      ended.done(ended.process->report());
-    } else {
-      child->process->enforce_wall_limit(ChildProcess::Clock::now());
-      ++child;
-    }
-  }
-}
-
 }  // namespace
 
-ProcessPool::ProcessPool(std::size_t jobs, const ProcessLimits& limits, ChildProcess::Setup setup,
+// Jobs that came together, and the series of children that does them.
+class ProcessPool::Lane {
+ public:
+  Lane(std::vector<Job> jobs, const ProcessLimits& limits, const ChildSeries::Setup& setup)
+      : jobs_(std::move(jobs)), series_(tasks_of(jobs_), limits, setup) {}
+
+  ChildSeries& series() { return series_; }
+
+  // Of the job that goes on with it, which has begun; false if the series cannot go on.
+  bool start_next() {
+    if (at_ == jobs_.size()) return false;
+    if (jobs_[at_].starts) jobs_[at_].starts();
+    return series_.start_next();
+  }
+
+  void hand_over() {
+    const Job ended = std::move(jobs_[at_++]);
+    ended.done(series_.report());
+  }
+
+  std::vector<Job> take_rest() {
+    return {std::make_move_iterator(jobs_.begin() + static_cast<std::ptrdiff_t>(at_)),
+            std::make_move_iterator(jobs_.end())};
+  }
+
+ private:
+  static std::vector<ChildSeries::Task> tasks_of(const std::vector<Job>& jobs) {
+    std::vector<ChildSeries::Task> tasks;
+    for (const Job& job : jobs) tasks.push_back({job.work, job.prepare});
+    return tasks;
+  }
+
+  std::vector<Job> jobs_;
+  std::size_t at_ = 0;
+  ChildSeries series_;
+};
+
+ProcessPool::ProcessPool(std::size_t jobs, const ProcessLimits& limits, ChildSeries::Setup setup,
                          std::function<void()> tick)
     : jobs_(std::max<std::size_t>(jobs, 1)),
       limits_(limits),
       setup_(std::move(setup)),
       tick_(std::move(tick)) {}
 
-ProcessPool::End ProcessPool::run(const std::function<std::optional<Job>()>& next) {
-  StopSignals stop;
-  std::list<Running> children;
-  bool more = true;
-  while (true) {
-    while (more && children.size() < jobs_ && !stop.received()) {
-      auto job = next();
-      more = job.has_value();
-      if (more) {
-        children.push_back(
-            {std::make_unique<ChildProcess>(job->work, limits_, setup_), std::move(job->done)});
-      }
+ProcessPool::~ProcessPool() = default;
+
+// Takes care of every child once; those that have ended are handed over, and the next ones of their
+// series started.
+void ProcessPool::attend() {
+  for (auto lane = lanes_.begin(); lane != lanes_.end();) {
+    ChildSeries& series = lane->series();
+    series.read_output();
+    if (!series.has_ended()) {
+      series.enforce_wall_limit(ChildSeries::Clock::now());
+      ++lane;
+      continue;
     }
-    if (stop.received()) return End::interrupted;
-    if (children.empty()) return End::all_done;
-    wait_for_events(children, stop.fd());
-    attend(children);
+    lane->hand_over();
+    if (lane->start_next()) {
+      ++lane;
+      continue;
+    }
+    auto rest = lane->take_rest();
+    left_over_.insert(left_over_.end(), std::make_move_iterator(rest.begin()),
+                      std::make_move_iterator(rest.end()));
+    lane = lanes_.erase(lane);
+  }
+}
+
+std::vector<ProcessPool::Job> ProcessPool::next_jobs(
+    const std::function<std::vector<Job>()>& next) {
+  if (!left_over_.empty()) return std::exchange(left_over_, {});
+  if (!more_) return {};
+  std::vector<Job> jobs = next();
+  more_ = !jobs.empty();
+  return jobs;
+}
+
+ProcessPool::End ProcessPool::run(const std::function<std::vector<Job>()>& next) {
+  StopSignals stop;
+  const auto wait = [&] {
+    std::vector<pollfd> fds{{stop.fd(), POLLIN, 0}};
+    auto wake = ChildSeries::Clock::now() + std::chrono::milliseconds(200);
+    for (Lane& lane : lanes_) {
+      fds.push_back({lane.series().output_fd(), POLLIN, 0});
+      fds.push_back({lane.series().verdict_fd(), POLLIN, 0});
+      wake = std::min(wake, lane.series().deadline());
+    }
+    const auto left =
+        std::chrono::ceil<std::chrono::milliseconds>(wake - ChildSeries::Clock::now());
+    poll(fds.data(), fds.size(), static_cast<int>(std::max<std::int64_t>(left.count(), 0)));
+  };
+  more_ = true;
+  while (true) {
+    while (lanes_.size() < jobs_ && !stop.received()) {
+      std::vector<Job> jobs = next_jobs(next);
+      if (jobs.empty()) break;
+      lanes_.emplace_back(std::move(jobs), limits_, setup_);
+      if (lanes_.back().start_next()) continue;
+      left_over_ = lanes_.back().take_rest();  // somebody was faster than its first child
+      lanes_.pop_back();
+    }
+    if (stop.received()) {
+      lanes_.clear();
+      return End::interrupted;
+    }
+    if (lanes_.empty()) return End::all_done;
+    wait();
+    attend();
     if (tick_) tick_();
   }
 }

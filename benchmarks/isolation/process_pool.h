@@ -2,7 +2,8 @@
 
 #include <cstddef>
 #include <functional>
-#include <optional>
+#include <list>
+#include <vector>
 
 #include "voronaut/benchmarks/isolation/child_process.h"
 
@@ -13,28 +14,39 @@ namespace voronaut {
 class ProcessPool {
  public:
   struct Job {
-    ChildProcess::Work work;                       // in the child
-    std::function<void(const ChildReport&)> done;  // in the parent, as soon as the child has ended
+    ChildSeries::Work work;                        // in the child
+    std::function<void()> prepare;                 // in the parent of the child; may be empty
+    std::function<void()> starts;                  // in the caller, before the child; may be empty
+    std::function<void(const ChildReport&)> done;  // in the caller, as soon as it has ended
   };
 
   enum class End { all_done, interrupted };
 
   // jobs >= 1 children at once. `tick` is called between events, at least every 0.2 s.
-  ProcessPool(std::size_t jobs, const ProcessLimits& limits, ChildProcess::Setup setup,
+  ProcessPool(std::size_t jobs, const ProcessLimits& limits, ChildSeries::Setup setup,
               std::function<void()> tick);
+  ~ProcessPool();
 
-  // Asks `next` for a job whenever a place is free, until it has none. Exceptions of `next` and
-  // `done` pass through; children in flight are killed then.
-  End run(const std::function<std::optional<Job>()>& next);
+  // Asks `next` for jobs whenever a place is free, until it has none; those that come together are
+  // done one after another by one series of children. Exceptions of `next`, `starts` and `done`
+  // pass through; children in flight are killed then.
+  End run(const std::function<std::vector<Job>()>& next);
 
   // As many as a machine bears without disturbing its clocks: all cores but one, at least one.
   static std::size_t default_jobs();
 
  private:
+  class Lane;
+  void attend();
+  std::vector<Job> next_jobs(const std::function<std::vector<Job>()>& next);
+
   std::size_t jobs_;
   ProcessLimits limits_;
-  ChildProcess::Setup setup_;
+  ChildSeries::Setup setup_;
   std::function<void()> tick_;
+  std::list<Lane> lanes_;
+  std::vector<Job> left_over_;  // of a series that could not go on
+  bool more_ = true;
 };
 
 }  // namespace voronaut

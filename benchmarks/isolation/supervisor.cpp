@@ -5,17 +5,18 @@
 #include <cerrno>
 #include <chrono>
 #include <csignal>
+#include <optional>
 #include <vector>
 
-#include <fcntl.h>
 #include <poll.h>
 #include <sys/prctl.h>
-#include <sys/resource.h>
 #include <sys/signalfd.h>
+#include <sys/socket.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include "voronaut/benchmarks/isolation/descriptors.h"
+#include "voronaut/benchmarks/isolation/guard.h"
 #include "voronaut/benchmarks/isolation/namespaces.h"
 #include "voronaut/benchmarks/isolation/process_tree.h"
 
@@ -23,22 +24,10 @@ namespace voronaut {
 
 namespace {
 
-using Clock = ChildProcess::Clock;
+using Clock = ChildSeries::Clock;
 
 constexpr auto kMemoryPeriod = std::chrono::milliseconds(20);
 constexpr auto kLastReportWait = std::chrono::seconds(1);
-
-// What the guard tells the supervisor.
-struct ChildEnd {
-  int error = 0;  // of fork
-  int wait_status = 0;
-  double cpu_time_s = 0;
-  double memory_max_mb = 0;
-};
-
-double seconds(const timeval& time) {
-  return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
-}
 
 void block_signals() {
   sigset_t all;
@@ -46,68 +35,85 @@ void block_signals() {
   sigprocmask(SIG_SETMASK, &all, nullptr);
 }
 
-bool nobody_reads(int fd) {
-  pollfd asked{fd, 0, 0};
-  return poll(&asked, 1, 0) > 0 && (asked.revents & POLLERR) != 0;
-}
-
-[[noreturn]] void guard(Supervised& supervised, int report_fd) {
-  setsid();
-  prctl(PR_SET_NAME, "voronaut-guard");
-  prctl(PR_SET_PDEATHSIG, SIGKILL);
-  if (nobody_reads(report_fd)) _exit(1);  // the supervisor died before that held
-  ChildEnd end;
-  supervised.child.parent = getpid();
-  const pid_t child = fork();
-  if (child == 0) run_child_side(supervised.work, supervised.limits, supervised.child);
-  if (child < 0) end.error = errno;
-  close_all_but({report_fd});
-  for (pid_t ended = 0; child > 0 && ended != child;) {
-    rusage usage{};
-    ended = wait4(-1, &end.wait_status, 0, &usage);
-    if (ended < 0 && errno != EINTR) _exit(1);
-    end.cpu_time_s = seconds(usage.ru_utime) + seconds(usage.ru_stime);
-    end.memory_max_mb = static_cast<double>(usage.ru_maxrss) / 1024;
-  }
-  _exit(write(report_fd, &end, sizeof end) == sizeof end ? 0 : 1);
-}
-
 class Watch {
  public:
-  Watch(const ProcessLimits& limits, pid_t guard, int report_fd)
-      : limits_(limits), guard_(guard), report_fd_(report_fd), memory_(guard) {
+  Watch(const Supervised& supervised, pid_t guard, int guard_fd)
+      : limits_(supervised.limits),
+        tasks_(supervised.tasks.size()),
+        caller_fd_(supervised.caller_fd),
+        guard_(guard),
+        guard_fd_(guard_fd) {
     sigset_t asked;
     sigemptyset(&asked);
     sigaddset(&asked, SIGTERM);
     signal_fd_ = signalfd(-1, &asked, SFD_CLOEXEC | SFD_NONBLOCK);
   }
 
-  Verdict run(Clock::time_point deadline) {
+  // Child after child, as the caller asks for them.
+  void run() {
+    for (std::size_t begun = 1; caller_asks(); ++begun) {
+      Verdict verdict = watch_child();
+      verdict.last = begun == tasks_ || !can_go_on(verdict);
+      if (verdict.last) leave_nobody();
+      if (write(caller_fd_, &verdict, sizeof verdict) != sizeof verdict) break;
+      if (verdict.last) return;
+    }
+    leave_nobody();
+  }
+
+ private:
+  bool caller_asks() {
+    std::array<pollfd, 2> fds{pollfd{caller_fd_, POLLIN, 0}, pollfd{signal_fd_, POLLIN, 0}};
+    while (poll(fds.data(), fds.size(), -1) < 0 && errno == EINTR) {
+    }
+    char go = 0;
+    return fds[1].revents == 0 && read(caller_fd_, &go, 1) == 1;
+  }
+
+  bool can_go_on(const Verdict& verdict) const {
+    const bool unharmed = verdict.cause != Verdict::Cause::stopped &&
+                          verdict.cause != Verdict::Cause::guard_ended && verdict.error == 0;
+    return unharmed && guard_answers_ && !end_.spoilt;
+  }
+
+  Verdict watch_child() {
     Verdict verdict;
-    verdict.cause = wait_for_end(deadline);
+    end_ = {};
+    memory_.reset();
+    const char go = 0;
+    const bool begun = send(guard_fd_, &go, 1, MSG_NOSIGNAL) == 1;
+    verdict.cause = begun ? wait_for_end(deadline_from_now()) : Verdict::Cause::guard_ended;
     if (verdict.cause != Verdict::Cause::ended) stop_child();
     if (end_.error != 0) verdict.cause = Verdict::Cause::not_started;
     verdict.error = end_.error;
     verdict.wait_status = end_.wait_status;
     verdict.cpu_time_s = end_.cpu_time_s;
     verdict.memory_max_mb = end_.memory_max_mb;
-    leave_nobody();
     return verdict;
   }
 
- private:
+  Clock::time_point deadline_from_now() const {
+    return Clock::now() + std::chrono::duration_cast<Clock::duration>(
+                              std::chrono::duration<double>(limits_.wall_s));
+  }
+
   Verdict::Cause wait_for_end(Clock::time_point deadline) {
     while (true) {
       const auto wake = std::min(deadline, Clock::now() + kMemoryPeriod);
-      std::array<pollfd, 2> fds{pollfd{report_fd_, POLLIN, 0}, pollfd{signal_fd_, POLLIN, 0}};
+      std::array<pollfd, 2> fds{pollfd{guard_fd_, POLLIN, 0}, pollfd{signal_fd_, POLLIN, 0}};
       poll(fds.data(), fds.size(), milliseconds_until(wake));
       if (fds[0].revents != 0)
         return read_end() ? Verdict::Cause::ended : Verdict::Cause::guard_ended;
       if (fds[1].revents != 0) return Verdict::Cause::stopped;
       if (Clock::now() >= deadline) return Verdict::Cause::wall_limit;
-      if (memory_.in_use_mb(trial(), limits_.memory_mb) > limits_.memory_mb)
-        return Verdict::Cause::memory;
+      if (memory_in_use_mb() > limits_.memory_mb) return Verdict::Cause::memory;
     }
+  }
+
+  // Children that are faster than the first look cost no look at the guard either.
+  double memory_in_use_mb() {
+    if (!memory_) memory_.emplace(guard_);
+    return memory_->in_use_mb(trial(), limits_.memory_mb);
   }
 
   static int milliseconds_until(Clock::time_point time) {
@@ -115,7 +121,7 @@ class Watch {
     return static_cast<int>(std::max<std::int64_t>(left.count(), 0));
   }
 
-  bool read_end() { return read(report_fd_, &end_, sizeof end_) == sizeof end_; }
+  bool read_end() { return read(guard_fd_, &end_, sizeof end_) == sizeof end_; }
 
   std::vector<pid_t> trial() const {
     std::vector<pid_t> pids = descendants_of(getpid());
@@ -123,18 +129,19 @@ class Watch {
     return pids;
   }
 
-  // The guard stays for a moment: it knows what the child has used.
+  // The guard stays: it knows what the child has used, and forks the next one.
   void stop_child() {
     const auto patience = Clock::now() + kLastReportWait;
     kill(guard_, SIGCONT);
     while (Clock::now() < patience) {
       kill_descendants(getpid(), guard_);
-      pollfd report{report_fd_, POLLIN, 0};
+      pollfd report{guard_fd_, POLLIN, 0};
       if (poll(&report, 1, 1) > 0) {
-        read_end();
+        guard_answers_ = read_end();
         return;
       }
     }
+    guard_answers_ = false;
   }
 
   // What is orphaned becomes a child of this process: nobody is left when it has none.
@@ -150,49 +157,53 @@ class Watch {
   }
 
   ProcessLimits limits_;
+  std::size_t tasks_;
+  int caller_fd_;
   pid_t guard_;
-  int report_fd_;
+  int guard_fd_;
   int signal_fd_ = -1;
-  TreeMemory memory_;
+  bool guard_answers_ = true;
+  std::optional<TreeMemory> memory_;
   ChildEnd end_;
 };
 
-Verdict run_guarded(Supervised& supervised, Clock::time_point deadline) {
+// Answers whatever the caller asks first: there is no process for it.
+void refuse(int caller_fd, int error) {
   Verdict verdict;
-  std::array<int, 2> report{-1, -1};
-  if (pipe2(report.data(), O_CLOEXEC) != 0) {
-    verdict.error = errno;
-    return verdict;
-  }
+  verdict.error = error;
+  char go = 0;
+  if (read(caller_fd, &go, 1) == 1) static_cast<void>(!write(caller_fd, &verdict, sizeof verdict));
+}
+
+void run_guarded(Supervised& supervised, bool own_namespaces) {
+  std::array<int, 2> link{-1, -1};
+  if (socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, link.data()) != 0)
+    return refuse(supervised.caller_fd, errno);
   const pid_t guard_pid = fork();
   if (guard_pid == 0) {
-    close(report[0]);
-    close(supervised.verdict_fd);
-    guard(supervised, report[1]);
+    close(link[0]);
+    close(supervised.caller_fd);
+    guard({supervised, link[1], own_namespaces});
   }
-  if (guard_pid < 0) {
-    verdict.error = errno;
-    return verdict;
-  }
-  close_all_but({report[0], supervised.verdict_fd});
-  return Watch(supervised.limits, guard_pid, report[0]).run(deadline);
+  if (guard_pid < 0) return refuse(supervised.caller_fd, errno);
+  close_all_but({link[0], supervised.caller_fd});
+  Watch(supervised, guard_pid, link[0]).run();
 }
 
 }  // namespace
 
 void supervise(Supervised supervised) {
-  const auto deadline = Clock::now() + std::chrono::duration_cast<Clock::duration>(
-                                           std::chrono::duration<double>(supervised.limits.wall_s));
   block_signals();
   setsid();
   prctl(PR_SET_NAME, "voronaut-trial");
-  close_all_but({supervised.verdict_fd, supervised.child.output_fd, supervised.child.error_fd});
-  if (supervised.setup.namespaces) enter_namespaces(supervised.setup.read_only);
+  close_all_but({supervised.caller_fd, supervised.child.output_fd, supervised.child.error_fd});
+  Namespaces entered;
+  if (supervised.setup.namespaces) entered = enter_namespaces(supervised.setup.read_only);
   prctl(PR_SET_CHILD_SUBREAPER, 1);
   prctl(PR_SET_PDEATHSIG, SIGTERM);  // after the namespaces, which forget it
   if (getppid() != supervised.caller) _exit(1);
-  const Verdict verdict = run_guarded(supervised, deadline);
-  _exit(write(supervised.verdict_fd, &verdict, sizeof verdict) == sizeof verdict ? 0 : 1);
+  run_guarded(supervised, entered.processes);
+  _exit(0);
 }
 
 }  // namespace voronaut

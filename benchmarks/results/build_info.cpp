@@ -6,6 +6,7 @@
 #include <Eigen/Core>
 #include <boost/version.hpp>
 #include <fcl/config.h>
+#include <link.h>
 #include <ompl/config.h>
 #include <sleef.h>
 #include <sqlite3.h>
@@ -67,12 +68,53 @@ std::string version_line() {
          (info.dirty ? ", changed" : "") + ")";
 }
 
+namespace {
+
+// The note NT_GNU_BUILD_ID of a loaded object.
+std::string_view build_id_of(const dl_phdr_info& object) {
+  for (int i = 0; i < object.dlpi_phnum; ++i) {
+    const ElfW(Phdr)& segment = object.dlpi_phdr[i];
+    if (segment.p_type != PT_NOTE) continue;
+    const auto padded = [](std::size_t size) { return (size + 3) / 4 * 4; };
+    const auto* at = reinterpret_cast<const char*>(object.dlpi_addr + segment.p_vaddr);
+    const char* const end = at + segment.p_memsz;
+    while (end - at >= static_cast<std::ptrdiff_t>(sizeof(ElfW(Nhdr)))) {
+      const auto& note = *reinterpret_cast<const ElfW(Nhdr)*>(at);
+      const char* const value = at + sizeof note + padded(note.n_namesz);
+      if (note.n_type == NT_GNU_BUILD_ID && note.n_namesz == 4) return {value, note.n_descsz};
+      at = value + padded(note.n_descsz);
+    }
+  }
+  return {};
+}
+
+// Of the program itself, which comes first.
+std::string_view build_id_of_program() {
+  std::string_view id;
+  dl_iterate_phdr(
+      [](dl_phdr_info* object, std::size_t, void* found) {
+        *static_cast<std::string_view*>(found) = build_id_of(*object);
+        return 1;
+      },
+      &id);
+  return id;
+}
+
+std::string bytes_of_program() {
+  std::ifstream in("/proc/self/exe", std::ios::binary);
+  std::ostringstream bytes;
+  bytes << in.rdbuf();
+  return bytes.str();
+}
+
+}  // namespace
+
 std::string program_id() {
   static const std::string id = [] {
-    std::ifstream in("/proc/self/exe", std::ios::binary);
-    std::ostringstream bytes;
-    bytes << in.rdbuf();
-    return in ? sha256_hex(bytes.str()) : std::string();
+    const std::string_view built = build_id_of_program();
+    if (!built.empty()) return sha256_hex(built);
+    const std::string bytes = bytes_of_program();  // a linker that leaves none
+    return bytes.empty() ? std::string() : sha256_hex(bytes);
   }();
   return id;
 }

@@ -22,8 +22,9 @@ BuildInfo build_info();
 // "voronaut 0.1.0 (1a2b3c4d, changed)"
 std::string version_line();
 
-// SHA-256 of the running program's file: two programs that differ anywhere, a planner of the user's
-// included, differ here. Empty where it cannot be read. Reads the file once.
+// SHA-256 of the build id that the linker made of all that is in the program: two programs that
+// differ anywhere, a planner of the user's included, differ here. Where there is none, of the
+// program's file. Empty where neither can be read.
 std::string program_id();
 
 // Where it runs: (name, value) of processor, cores, memory, system.

@@ -1,10 +1,8 @@
 #include "voronaut/benchmarks/results/digest.h"
 
-#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <sstream>
-#include <tuple>
 
 #include "voronaut/benchmarks/trial/sha256.h"
 #include "voronaut/environments/config/config_node.h"
@@ -32,16 +30,18 @@ std::string difference_text(const RunRecord& stored, const RunRecord& flown) {
 }
 
 std::string digest(const std::vector<RunRecord>& records) {
-  std::string text;
-  for (const RunRecord& record : records) text += deterministic_text(record) + "\n";
-  return sha256_hex(text);
+  Sha256 hash;
+  for (const RunRecord& record : records) hash.add(deterministic_text(record) + "\n");
+  return hash.hex();
+}
+
+std::string digest(const ResultStore& store) {
+  Sha256 hash;
+  store.for_each_record([&](const RunRecord& r) { hash.add(deterministic_text(r) + "\n"); });
+  return hash.hex();
 }
 
 namespace {
-
-auto place_of(const RunRecord& r) {
-  return std::tie(r.scenario, r.vehicle, r.planner, r.repetition);
-}
 
 std::string flight_text(const RunRecord& r) {
   std::string text = r.scenario + "\n" + r.vehicle + "\n" + r.planner + "\n" +
@@ -59,15 +59,11 @@ std::string flight_text(const RunRecord& r) {
 
 }  // namespace
 
-std::string flights_digest(const std::vector<RunRecord>& records) {
-  std::vector<const RunRecord*> ordered;
-  ordered.reserve(records.size());
-  for (const RunRecord& record : records) ordered.push_back(&record);
-  std::sort(ordered.begin(), ordered.end(),
-            [](const RunRecord* a, const RunRecord* b) { return place_of(*a) < place_of(*b); });
-  std::string text;
-  for (const RunRecord* record : ordered) text += flight_text(*record);
-  return sha256_hex(text);
+std::string flights_digest(const ResultStore& store) {
+  Sha256 hash;
+  store.for_each_record([&](const RunRecord& record) { hash.add(flight_text(record)); },
+                        "scenario, vehicle, planner, repetition, trial_id");
+  return hash.hex();
 }
 
 }  // namespace voronaut

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "voronaut/reports/run_record.h"
+#include "voronaut/reports/store/store.h"
 
 namespace voronaut {
 
@@ -17,11 +18,12 @@ std::string difference_text(const RunRecord& stored, const RunRecord& flown);
 
 // SHA-256 over the deterministic columns of all records, which come ordered by trial id.
 std::string digest(const std::vector<RunRecord>& records);
+std::string digest(const ResultStore& store);
 
 // What was flown, whatever names its parts go by: SHA-256 over scenario, vehicle, planner,
 // repetition, outcome, the numbers of the flight and its state digest, in the order of the first
 // four. Ids, seeds, names of keys and columns, modes and reasons are left out, so that it stays
 // equal while those are renamed. O(n log n).
-std::string flights_digest(const std::vector<RunRecord>& records);
+std::string flights_digest(const ResultStore& store);
 
 }  // namespace voronaut

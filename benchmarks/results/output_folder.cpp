@@ -14,6 +14,7 @@
 #include "voronaut/reports/page/html_report.h"
 #include "voronaut/reports/store/atomic_file.h"
 #include "voronaut/reports/store/csv_writer.h"
+#include "voronaut/reports/summary/summary_table.h"
 
 namespace voronaut {
 
@@ -136,18 +137,23 @@ SuiteSource OutputFolder::source() const {
           meta("seed"),       meta("repetitions"), store_.kept_files()};
 }
 
+Summary OutputFolder::summary() const {
+  SummaryTable table;
+  store_.for_each_record([&](const RunRecord& record) { table.add(record); });
+  return table.summarise();
+}
+
 std::string OutputFolder::note_on_repetitions() const {
   const std::string asked = store_.meta("repetitions").value_or("");
   if (asked.empty()) return {};
   std::size_t beyond = 0;
   std::int64_t most = 0;
-  const auto records = store_.records();
-  for (const RunRecord& record : records) {
+  store_.for_each_record([&, limit = std::stoll(asked)](const RunRecord& record) {
     most = std::max(most, record.repetition + 1);
-    beyond += record.repetition >= std::stoll(asked) ? 1 : 0;
-  }
+    beyond += record.repetition >= limit ? 1 : 0;
+  });
   if (beyond == 0) return {};
-  return "all " + std::to_string(records.size()) + " stored trials are shown, " +
+  return "all " + std::to_string(store_.size()) + " stored trials are shown, " +
          std::to_string(beyond) + " of them beyond the " + asked + " repetitions asked for last (" +
          std::to_string(most) + " are stored)\n";
 }
@@ -168,12 +174,13 @@ void OutputFolder::write_manifest(const std::string& json) const {
 }
 
 void OutputFolder::write_csv() const {
-  write_file_atomically(file("results.csv"), records_to_csv(store_.records()));
+  write_file_atomically(file("results.csv"), [&](std::ostream& out) { write_csv_of(store_, out); });
 }
 
 void OutputFolder::write_report(const fs::path& file, std::optional<RunComparison> comparison,
                                 const std::string& mapping_json) const {
-  const std::string suite = store_.records().empty() ? "empty" : store_.records().front().suite;
+  std::string suite = "empty";
+  store_.for_each_record([&](const RunRecord& first) { suite = first.suite; }, "trial_id LIMIT 1");
   ReportInput input = read_report_input(store_, suite, text_of(this->file("manifest.json")));
   input.folder = folder_.string();
   input.comparison = std::move(comparison);

@@ -37,6 +37,7 @@ class OutputFolder {
   ResultStore& store() { return store_; }
   const ResultStore& store() const { return store_; }
   SuiteSource source() const;  // what its trials are made of
+  Summary summary() const;     // of all its trials
   // What a summary of all records shows if the last run asked for fewer repetitions than are
   // stored, as a line; else empty.
   std::string note_on_repetitions() const;

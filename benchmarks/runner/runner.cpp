@@ -1,15 +1,18 @@
 #include "voronaut/benchmarks/runner/runner.h"
 
+#include <algorithm>
 #include <deque>
+#include <memory>
 #include <stdexcept>
 
 #include "voronaut/benchmarks/episode/episode_trace.h"
+#include "voronaut/benchmarks/episode/ground_truth_collision_checker.h"
 #include "voronaut/benchmarks/isolation/flight_marks.h"
 #include "voronaut/benchmarks/isolation/process_pool.h"
 #include "voronaut/benchmarks/runner/isolated_world.h"
-#include "voronaut/benchmarks/runner/packed_trial.h"
 #include "voronaut/benchmarks/suite/suite_trials.h"
 #include "voronaut/environments/config/config_node.h"
+#include "voronaut/reports/store/packed_trial.h"
 #include "voronaut/reports/trace/trace_json.h"
 
 namespace voronaut {
@@ -63,6 +66,18 @@ std::string after_second_flight(const std::string& reason) {
   return reason + ", which no limit sent, and so when it was flown again";
 }
 
+// In the warm parent of a series: what the trials of one world are judged by, made once.
+void share_contacts(TrialSpec& spec) {
+  static std::shared_ptr<const World> world;
+  static std::shared_ptr<const CollisionScene> contacts;
+  if (spec.kind != TrialKind::flown) return;
+  if (world != spec.scenario.world) {
+    contacts = CollisionScene::of(spec.scenario.world->shapes());
+    world = spec.scenario.world;
+  }
+  spec.contacts = contacts;
+}
+
 constexpr const char* kTookTheRunner =
     "the runner ended while this trial flew, and again when it flew alone";
 
@@ -82,8 +97,41 @@ class SuiteRun {
 
   RunReport report;
 
+  // A share of what is left that keeps every lane busy to the end; one series of children does it.
+  std::vector<ProcessPool::Job> next_share(std::size_t lanes) {
+    const std::size_t left = trials_.total() - std::min(trials_.total(), taken_);
+    const std::size_t size = std::clamp<std::size_t>(left / (2 * lanes), 1, kShareMax);
+    std::vector<ProcessPool::Job> share;
+    while (share.size() < size) {
+      auto job = next();
+      if (!job) break;
+      share.push_back(std::move(*job));
+    }
+    return share;
+  }
+
+  // One at a time.
+  std::vector<ProcessPool::Job> next_again() {
+    if (again_.empty()) return {};
+    const Pending pending = again_.front();
+    again_.pop_front();
+    return {job(pending)};
+  }
+
+ private:
+  // Worlds of so many trials are in memory at a time, for each lane.
+  static constexpr std::size_t kShareMax = 64;
+
+  enum class Flight { first, suspect, second };
+
+  struct Pending {
+    std::shared_ptr<TrialSpec> spec;
+    Flight flight;
+  };
+
   std::optional<ProcessPool::Job> next() {
     while (auto planned = trials_.next()) {
+      ++taken_;
       progress_.tick(ChildProcess::Clock::now());
       TrialSpec& spec = planned->spec;
       const auto suspicion = marks_.suspicion(spec.trial_id);
@@ -99,30 +147,14 @@ class SuiteRun {
         keep({record_of_failure(spec, Outcome::crash, kTookTheRunner), {}});
       } else if (suspicion == FlightMarks::Suspicion::suspect) {
         draw_world(spec);
-        again_.push_back({std::make_shared<const TrialSpec>(std::move(spec)), Flight::suspect});
+        again_.push_back({std::make_shared<TrialSpec>(std::move(spec)), Flight::suspect});
       } else {
         draw_world(spec);
-        return job({std::make_shared<const TrialSpec>(std::move(spec)), Flight::first});
+        return job({std::make_shared<TrialSpec>(std::move(spec)), Flight::first});
       }
     }
     return std::nullopt;
   }
-
-  // One at a time.
-  std::optional<ProcessPool::Job> next_again() {
-    if (again_.empty()) return std::nullopt;
-    const Pending pending = again_.front();
-    again_.pop_front();
-    return job(pending);
-  }
-
- private:
-  enum class Flight { first, suspect, second };
-
-  struct Pending {
-    std::shared_ptr<const TrialSpec> spec;
-    Flight flight;
-  };
 
   // Why there are none, empty if there are.
   std::string add_references(TrialSpec& spec) {
@@ -136,13 +168,16 @@ class SuiteRun {
 
   void draw_world(const TrialSpec& spec) {
     if (spec.world_id == drawn_world_) return;
-    store_.insert_world(trace_world(spec.scenario, spec.world_id));
+    store_.keep_world(trace_world(spec.scenario, spec.world_id));
     drawn_world_ = spec.world_id;
   }
 
   ProcessPool::Job job(const Pending& pending) {
-    marks_.takes_off(pending.spec->trial_id, pending.flight == Flight::suspect);
     return {[this, pending] { return fly_and_pack(*pending.spec, fly_, suite_.traces); },
+            [pending] { share_contacts(*pending.spec); },
+            [this, pending] {
+              marks_.takes_off(pending.spec->trial_id, pending.flight == Flight::suspect);
+            },
             [this, pending](const ChildReport& ended) { take(pending, ended); }};
   }
 
@@ -159,7 +194,7 @@ class SuiteRun {
   }
 
   void keep(const PackedTrial& result) {
-    store_.insert_with_blob(result.record, result.trace_blob);
+    store_.keep(result.record, result.trace_blob);
     marks_.stored(result.record.trial_id);
     ++report.done;
     progress_.trial_done(entry_of(result.record.outcome).cut_off);
@@ -172,6 +207,7 @@ class SuiteRun {
   Progress& progress_;
   FlightMarks marks_;
   SuiteTrials trials_;
+  std::size_t taken_ = 0;  // of trials_
   std::deque<Pending> again_;
   std::string drawn_world_;
 };
@@ -181,14 +217,17 @@ class SuiteRun {
 RunReport run_suite(const SuiteConfig& suite, const FlyTrial& fly, std::size_t jobs,
                     ShortestReferences& references, ResultStore& store, Progress& progress) {
   SuiteRun run(suite, fly, references, store, progress);
-  const auto tick = [&] { progress.tick(ChildProcess::Clock::now()); };
+  const auto tick = [&] {
+    store.flush_when_due();
+    progress.tick(ChildProcess::Clock::now());
+  };
   const ChildProcess::Setup setup{.read_only = {store.file().parent_path()}};
   ProcessPool together(jobs, suite.limits.process, setup, tick);
   ProcessPool alone(1, suite.limits.process, setup, tick);
   run.report.interrupted =
-      together.run([&] { return run.next(); }) == ProcessPool::End::interrupted ||
+      together.run([&] { return run.next_share(jobs); }) == ProcessPool::End::interrupted ||
       alone.run([&] { return run.next_again(); }) == ProcessPool::End::interrupted;
-  store.restore_at_path();
+  store.flush();
   progress.finish(ChildProcess::Clock::now());
   return run.report;
 }

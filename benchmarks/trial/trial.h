@@ -3,6 +3,7 @@
 #include <array>
 #include <cstdint>
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 
@@ -18,6 +19,7 @@
 namespace voronaut {
 
 struct Tick;
+class CollisionScene;
 
 struct PlannerSpec {
   std::string label;                          // unique within a suite; what reports call it
@@ -48,6 +50,9 @@ struct TrialSpec {
   // there is no such path.
   double shortest_length_m = kAbsent;
   double shortest_at_clearance_m = kAbsent;
+
+  // What the world's obstacles are to the referee; where it is null the trial makes its own.
+  std::shared_ptr<const CollisionScene> contacts = nullptr;
 };
 
 struct TrialResult {

@@ -8,17 +8,36 @@
 #ifdef VORONAUT_HAS_RSVG
 
 #include <cairo.h>
+#include <dlfcn.h>
 #include <librsvg/rsvg.h>
 
 namespace voronaut {
 
 namespace {
 
+// Loaded when the first figure is drawn: with what they stand on these are half of the program's
+// mappings, which each child of a run would copy.
+void* library() {
+  static void* const loaded = dlopen("librsvg-2.so.2", RTLD_NOW | RTLD_LOCAL);
+  return loaded;
+}
+
+// Of librsvg, or of cairo and glib, which come with it.
+template <class Function>
+Function* function(const char* name) {
+  void* const found = dlsym(library(), name);
+  if (found == nullptr) throw std::runtime_error(std::string("librsvg has no ") + name);
+  return reinterpret_cast<Function*>(found);
+}
+#define VORONAUT_OF_RSVG(name) function<decltype(name)>(#name)
+
 struct Release {
-  void operator()(RsvgHandle* handle) const { g_object_unref(handle); }
-  void operator()(cairo_surface_t* surface) const { cairo_surface_destroy(surface); }
-  void operator()(cairo_t* pen) const { cairo_destroy(pen); }
-  void operator()(GError* error) const { g_error_free(error); }
+  void operator()(RsvgHandle* handle) const { VORONAUT_OF_RSVG(g_object_unref)(handle); }
+  void operator()(cairo_surface_t* surface) const {
+    VORONAUT_OF_RSVG(cairo_surface_destroy)(surface);
+  }
+  void operator()(cairo_t* pen) const { VORONAUT_OF_RSVG(cairo_destroy)(pen); }
+  void operator()(GError* error) const { VORONAUT_OF_RSVG(g_error_free)(error); }
 };
 template <class Thing>
 using Owned = std::unique_ptr<Thing, Release>;
@@ -37,38 +56,46 @@ cairo_status_t append(void* closure, const unsigned char* bytes, unsigned size) 
 void require(cairo_status_t status) {
   if (status != CAIRO_STATUS_SUCCESS)
     throw std::runtime_error(std::string("the figure cannot be drawn: ") +
-                             cairo_status_to_string(status));
+                             VORONAUT_OF_RSVG(cairo_status_to_string)(status));
 }
 
 }  // namespace
 
-bool can_write_png() { return true; }
+bool can_write_png() { return library() != nullptr; }
 
 std::string png_of_svg(std::string_view svg, double pixels_per_px) {
+  if (library() == nullptr)
+    throw std::runtime_error("librsvg cannot be loaded (Debian: librsvg2-2), which draws PNG");
   GError* error = nullptr;
-  const Owned<RsvgHandle> figure(
-      rsvg_handle_new_from_data(reinterpret_cast<const guint8*>(svg.data()), svg.size(), &error));
+  const Owned<RsvgHandle> figure(VORONAUT_OF_RSVG(rsvg_handle_new_from_data)(
+      reinterpret_cast<const guint8*>(svg.data()), svg.size(), &error));
   if (!figure) refuse(error);
   double width_px = 0;
   double height_px = 0;
-  if (rsvg_handle_get_intrinsic_size_in_pixels(figure.get(), &width_px, &height_px) == FALSE)
+  if (VORONAUT_OF_RSVG(rsvg_handle_get_intrinsic_size_in_pixels)(figure.get(), &width_px,
+                                                                 &height_px) == FALSE)
     refuse(nullptr);
 
   const double width = std::ceil(width_px * pixels_per_px);
   const double height = std::ceil(height_px * pixels_per_px);
-  const Owned<cairo_surface_t> surface(cairo_image_surface_create(
+  const Owned<cairo_surface_t> surface(VORONAUT_OF_RSVG(cairo_image_surface_create)(
       CAIRO_FORMAT_RGB24, static_cast<int>(width), static_cast<int>(height)));
-  const Owned<cairo_t> pen(cairo_create(surface.get()));
-  cairo_set_source_rgb(pen.get(), 1, 1, 1);  // where the figure ends within a pixel
-  cairo_paint(pen.get());
+  const Owned<cairo_t> pen(VORONAUT_OF_RSVG(cairo_create)(surface.get()));
+  VORONAUT_OF_RSVG(cairo_set_source_rgb)
+  (pen.get(), 1, 1, 1);  // where the figure ends within a pixel
+  VORONAUT_OF_RSVG(cairo_paint)(pen.get());
   const RsvgRectangle page{0, 0, width, height};
-  if (rsvg_handle_render_document(figure.get(), pen.get(), &page, &error) == FALSE) refuse(error);
-  require(cairo_status(pen.get()));
+  if (VORONAUT_OF_RSVG(rsvg_handle_render_document)(figure.get(), pen.get(), &page, &error) ==
+      FALSE)
+    refuse(error);
+  require(VORONAUT_OF_RSVG(cairo_status)(pen.get()));
 
   std::string png;
-  require(cairo_surface_write_to_png_stream(surface.get(), append, &png));
+  require(VORONAUT_OF_RSVG(cairo_surface_write_to_png_stream)(surface.get(), append, &png));
   return png;
 }
+
+#undef VORONAUT_OF_RSVG
 
 }  // namespace voronaut
 

@@ -10,6 +10,7 @@
 #include "voronaut/reports/page/report_data.h"
 #include "voronaut/reports/page/web_assets.h"
 #include "voronaut/reports/store/atomic_file.h"
+#include "voronaut/reports/summary/summary_table.h"
 
 namespace voronaut {
 
@@ -36,13 +37,33 @@ std::string replace_markers(std::string_view text,
 
 }  // namespace
 
+namespace {
+
+// Of very many trials those of the lowest repetitions: each planner has them in the same worlds.
+std::vector<RunRecord> records_to_draw(const ResultStore& store, std::size_t trials_max) {
+  std::vector<RunRecord> records;
+  store.for_each_record([&](const RunRecord& record) { records.push_back(record); },
+                        "repetition, trial_id LIMIT " + std::to_string(trials_max));
+  std::sort(records.begin(), records.end(),
+            [](const RunRecord& a, const RunRecord& b) { return a.trial_id < b.trial_id; });
+  return records;
+}
+
+}  // namespace
+
 ReportInput read_report_input(const ResultStore& store, std::string title,
-                              std::string manifest_json, std::size_t max_trace_bytes) {
+                              std::string manifest_json, std::size_t max_trace_bytes,
+                              std::size_t trials_max) {
   ReportInput input;
   input.title = std::move(title);
   input.manifest_json = std::move(manifest_json);
-  input.records = store.records();
-  input.summary = summarise(input.records);
+  {  // gone before the records to draw are there
+    SummaryTable table;
+    store.for_each_record([&](const RunRecord& record) { table.add(record); });
+    input.summary = table.summarise();
+    input.stored_trials = static_cast<std::size_t>(table.size());
+  }
+  input.records = records_to_draw(store, trials_max);
   const auto sizes = store.trace_sizes();
   input.stored_traces = sizes.size();
   std::map<std::string_view, std::string_view> world_of;
@@ -63,10 +84,10 @@ ReportInput read_report_input(const ResultStore& store, std::string title,
       input.trace_blobs.emplace(trial_id, store.trace_blob(trial_id).value());
     }
   }
-  input.worlds = store.worlds();
-  std::erase_if(input.worlds, [&](const TraceWorld& world) {
-    return !input.trace_blobs.empty() && !drawn_worlds.contains(world.world_id);
-  });
+  if (input.trace_blobs.empty())
+    for (const RunRecord& record : input.records) drawn_worlds.insert(record.world_id);
+  input.worlds = store.worlds(
+      kWorldsMax, [&](const std::string& world_id) { return drawn_worlds.contains(world_id); });
   return input;
 }
 

@@ -114,6 +114,7 @@ std::string report_data_json(const ReportInput& input) {
     out["traces"][trial_id] = base64(blob);
   }
   out["stored_traces"] = std::max(input.stored_traces, input.trace_blobs.size());
+  out["stored_trials"] = std::max(input.stored_trials, input.records.size());
   out["folder"] = input.folder.empty() ? "DIR" : input.folder;
   out["comparison"] =
       input.comparison ? json::parse(comparison_json(*input.comparison)) : json(nullptr);

@@ -11,11 +11,18 @@
 namespace voronaut {
 
 void write_file_atomically(const std::filesystem::path& file, std::string_view text) {
+  write_file_atomically(file, [&](std::ostream& out) {
+    out.write(text.data(), static_cast<std::streamsize>(text.size()));
+  });
+}
+
+void write_file_atomically(const std::filesystem::path& file,
+                           const std::function<void(std::ostream&)>& write) {
   std::filesystem::path temporary = file;
   temporary += ".part" + std::to_string(getpid());
   errno = 0;
   std::ofstream out(temporary, std::ios::binary | std::ios::trunc);
-  out.write(text.data(), static_cast<std::streamsize>(text.size()));
+  write(out);
   out.close();
   if (!out) {
     const std::string reason = errno != 0 ? std::strerror(errno) : "write failed";

@@ -1,6 +1,8 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
+#include <iosfwd>
 #include <string_view>
 
 namespace voronaut {
@@ -9,5 +11,8 @@ namespace voronaut {
 // or the new one, never a part. Throws std::runtime_error that names the file and the system's
 // reason.
 void write_file_atomically(const std::filesystem::path& file, std::string_view text);
+// The same of what `write` puts into the stream.
+void write_file_atomically(const std::filesystem::path& file,
+                           const std::function<void(std::ostream&)>& write);
 
 }  // namespace voronaut

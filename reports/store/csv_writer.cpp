@@ -1,5 +1,7 @@
 #include "voronaut/reports/store/csv_writer.h"
 
+#include <ostream>
+
 #include "voronaut/reports/record_columns.h"
 
 namespace voronaut {
@@ -16,22 +18,36 @@ std::string csv_field(std::string_view text) {
   return quoted + '"';
 }
 
-std::string records_to_csv(const std::vector<RunRecord>& records) {
-  std::string csv;
+namespace {
+
+std::string csv_heading() {
+  std::string line;
   for (const RecordColumn& column : record_columns())
-    csv.append(csv.empty() ? "" : ",").append(column.name);
-  csv += "\r\n";
-  for (const RunRecord& record : records) {
-    std::string line;
-    for (const RecordColumn& column : record_columns()) {
-      const bool is_text = std::holds_alternative<std::string RunRecord::*>(column.member);
-      const std::string cell = cell_text(record, column);
-      line +=
-          (&column == &record_columns().front() ? "" : ",") + (is_text ? csv_field(cell) : cell);
-    }
-    csv += line + "\r\n";
+    line.append(line.empty() ? "" : ",").append(column.name);
+  return line + "\r\n";
+}
+
+std::string csv_line(const RunRecord& record) {
+  std::string line;
+  for (const RecordColumn& column : record_columns()) {
+    const bool is_text = std::holds_alternative<std::string RunRecord::*>(column.member);
+    const std::string cell = cell_text(record, column);
+    line += (&column == &record_columns().front() ? "" : ",") + (is_text ? csv_field(cell) : cell);
   }
+  return line + "\r\n";
+}
+
+}  // namespace
+
+std::string records_to_csv(const std::vector<RunRecord>& records) {
+  std::string csv = csv_heading();
+  for (const RunRecord& record : records) csv += csv_line(record);
   return csv;
+}
+
+void write_csv_of(const ResultStore& store, std::ostream& out) {
+  out << csv_heading();
+  store.for_each_record([&](const RunRecord& record) { out << csv_line(record); });
 }
 
 }  // namespace voronaut

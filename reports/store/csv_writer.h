@@ -1,10 +1,12 @@
 #pragma once
 
+#include <iosfwd>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "voronaut/reports/run_record.h"
+#include "voronaut/reports/store/store.h"
 
 namespace voronaut {
 
@@ -18,5 +20,7 @@ std::string csv_field(std::string_view text);
 // Lines end in CRLF (RFC 4180), numbers are the shortest text that reads back as the same double,
 // absent numbers are empty.
 std::string records_to_csv(const std::vector<RunRecord>& records);
+// The same of all records of a store, by trial_id.
+void write_csv_of(const ResultStore& store, std::ostream& out);
 
 }  // namespace voronaut

@@ -107,11 +107,15 @@ std::optional<Difference> first_difference(const RunRecord& a, const RunRecord& 
 }
 
 ResultStore::ResultStore(const std::filesystem::path& file, sqlite::OpenMode mode)
-    : database_(file, mode) {}
+    : database_(file, mode), pending_file_(std::make_unique<PendingFile>(pending_path(file))) {}
 
 ResultStore ResultStore::open(const std::filesystem::path& file) {
   ResultStore store(file, sqlite::OpenMode::existing);
   store.check_schema();
+  try {
+    store.take_in_pending();
+  } catch (const StoreError&) {  // may only be read: without what its runner left behind
+  }
   return store;
 }
 
@@ -119,6 +123,8 @@ ResultStore ResultStore::create(const std::filesystem::path& file, const Meta& m
   ResultStore store(file, sqlite::OpenMode::create);
   store.create_tables(meta);
   store.check_schema();
+  store.take_in_pending();
+  store.pending_file_->clear();
   return store;
 }
 
@@ -186,10 +192,38 @@ void ResultStore::restore_at_path() {
   database_ = sqlite::Database(file(), sqlite::OpenMode::existing);
 }
 
+struct ResultStore::RowStatements {
+  explicit RowStatements(const sqlite::Database& database)
+      : stored(database, "SELECT " + column_names() + " FROM trials WHERE trial_id = ?"),
+        row(database,
+            "INSERT INTO trials(" + column_names() + ") VALUES (" + question_marks() + ")"),
+        blob(database, "INSERT OR REPLACE INTO traces(trial_id, data) VALUES (?, ?)") {}
+
+  sqlite::Statement stored;
+  sqlite::Statement row;
+  sqlite::Statement blob;
+};
+
 bool ResultStore::insert_with_blob(const RunRecord& record, std::string_view trace_blob) {
   restore_at_path();
   sqlite::Transaction transaction(database_);
-  if (const auto stored = this->record(record.trial_id)) {
+  bool inserted = false;
+  {
+    RowStatements prepared(database_);
+    inserted = insert_row(prepared, record, trace_blob);
+  }
+  if (inserted) transaction.commit();
+  return inserted;
+}
+
+bool ResultStore::insert_row(RowStatements& prepared, const RunRecord& record,
+                             std::string_view trace_blob) {
+  prepared.stored.bind(1, record.trial_id);
+  const auto stored = prepared.stored.step()
+                          ? std::optional(read_record(prepared.stored, database_.file()))
+                          : std::nullopt;
+  prepared.stored.reset();
+  if (stored) {
     if (const auto difference = first_difference(*stored, record)) {
       throw StoreError(database_.file() + ": trial " + record.trial_id +
                        " is stored with another value of " + difference->column + ": '" +
@@ -197,21 +231,21 @@ bool ResultStore::insert_with_blob(const RunRecord& record, std::string_view tra
     }
     return false;
   }
-  {
-    sqlite::Statement row(
-        database_, "INSERT INTO trials(" + column_names() + ") VALUES (" + question_marks() + ")");
-    bind_record(row, record);
-    row.step();
-  }
+  bind_record(prepared.row, record);
+  prepared.row.step();
+  prepared.row.reset();
   if (!trace_blob.empty()) {
-    sqlite::Statement blob(database_,
-                           "INSERT OR REPLACE INTO traces(trial_id, data) VALUES (?, ?)");
-    blob.bind(1, record.trial_id);
-    blob.bind_blob(2, trace_blob);
-    blob.step();
+    prepared.blob.bind(1, record.trial_id);
+    prepared.blob.bind_blob(2, trace_blob);
+    prepared.blob.step();
+    prepared.blob.reset();
   }
-  transaction.commit();
   return true;
+}
+
+void ResultStore::insert_rows(const std::vector<PackedTrial>& trials) {
+  RowStatements prepared(database_);
+  for (const PackedTrial& trial : trials) insert_row(prepared, trial.record, trial.trace_blob);
 }
 
 void ResultStore::insert_world(const TraceWorld& world) {
@@ -221,13 +255,22 @@ void ResultStore::insert_world(const TraceWorld& world) {
   row.step();
 }
 
+void ResultStore::for_each_record(const std::function<void(const RunRecord&)>& use,
+                                  const std::string& order) const {
+  sqlite::Statement query(database_, "SELECT " + column_names() + " FROM trials ORDER BY " + order);
+  while (query.step()) use(read_record(query, database_.file()));
+}
+
 std::vector<RunRecord> ResultStore::records() const {
   std::vector<RunRecord> list;
-  sqlite::Statement query(database_, "SELECT " + column_names() + " FROM trials ORDER BY trial_id");
-  while (query.step()) {
-    list.push_back(read_record(query, database_.file()));
-  }
+  for_each_record([&](const RunRecord& record) { list.push_back(record); });
   return list;
+}
+
+std::size_t ResultStore::size() const {
+  sqlite::Statement query(database_, "SELECT count(*) FROM trials");
+  query.step();
+  return static_cast<std::size_t>(query.integer(0));
 }
 
 std::vector<std::string> ResultStore::trial_ids() const {
@@ -275,9 +318,15 @@ std::optional<Trace> ResultStore::trace(std::string_view trial_id) const {
 }
 
 std::vector<TraceWorld> ResultStore::worlds() const {
+  return worlds(std::numeric_limits<std::size_t>::max(), [](const std::string&) { return true; });
+}
+
+std::vector<TraceWorld> ResultStore::worlds(
+    std::size_t most, const std::function<bool(const std::string& id)>& wanted) const {
   std::vector<TraceWorld> list;
   sqlite::Statement query(database_, "SELECT world_id, json FROM worlds ORDER BY world_id");
-  while (query.step()) {
+  while (list.size() < most && query.step()) {
+    if (!wanted(query.text(0))) continue;
     try {
       list.push_back(world_from_json(query.text(1)));
     } catch (const std::invalid_argument& error) {

@@ -1,14 +1,19 @@
 #pragma once
 
+#include <chrono>
 #include <cstddef>
 #include <filesystem>
+#include <functional>
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "voronaut/reports/run_record.h"
+#include "voronaut/reports/store/packed_trial.h"
+#include "voronaut/reports/store/pending_file.h"
 #include "voronaut/reports/store/sqlite.h"
 #include "voronaut/reports/trace/trace.h"
 
@@ -19,9 +24,11 @@ namespace voronaut {
 // deflate of the JSON of trace_json.h), `files` (path, raw deflate of what was read there) and
 // `meta` (key, value). PRAGMA user_version is the schema's version.
 //
-// Each insert is one transaction: a process that is killed at any moment loses at most the trial in
-// flight. The journal is a rollback journal, which also holds on network file systems. One object
-// belongs to one thread of one process: open it anew after fork.
+// Each insert is one transaction. What is kept for later shares one with others and is meanwhile in
+// a file beside the database (pending_file.h), from which open() and create() take it in: a process
+// that is killed at any moment loses at most the trial in flight, a machine that loses its power
+// what was kept in the last kPendingTimeMax. The journal is a rollback journal, which also holds on
+// network file systems. One object belongs to one thread of one process: open it anew after fork.
 //
 // Every failure is a StoreError that names the file and quotes SQLite.
 class ResultStore {
@@ -51,6 +58,20 @@ class ResultStore {
   // Kept once per world_id.
   void insert_world(const TraceWorld& world);
 
+  // For one writer at a time: safe from now on, in the tables with the next flush(), which comes by
+  // itself when much is pending.
+  void keep(const RunRecord& record, std::string trace_blob);
+  void keep_world(const TraceWorld& world);
+  void flush();
+  // If something has been pending for kPendingTimeMax. Call it often.
+  void flush_when_due();
+  static constexpr std::chrono::seconds kPendingTimeMax{30};
+
+  // One record after another, however many there are; `order` is that of SQL's ORDER BY, texts by
+  // bytes, and may end with a LIMIT.
+  void for_each_record(const std::function<void(const RunRecord&)>& use,
+                       const std::string& order = "trial_id") const;
+  std::size_t size() const;  // how many records
   // Ordered by trial_id (by bytes).
   std::vector<RunRecord> records() const;
   std::vector<std::string> trial_ids() const;
@@ -60,6 +81,9 @@ class ResultStore {
   std::optional<std::string> trace_blob(std::string_view trial_id) const;
   std::map<std::string, std::size_t> trace_sizes() const;  // bytes of each trace_blob
   std::vector<TraceWorld> worlds() const;                  // ordered by world_id
+  // At most so many of those that are wanted.
+  std::vector<TraceWorld> worlds(std::size_t most,
+                                 const std::function<bool(const std::string& id)>& wanted) const;
 
   // All of it or nothing.
   void set_meta(const Meta& meta);
@@ -75,8 +99,24 @@ class ResultStore {
   void create_tables(const Meta& meta);
   void write_meta(const Meta& meta);
   void check_schema() const;
+  struct RowStatements;  // prepared once for many rows
+  bool insert_row(RowStatements& prepared, const RunRecord& record, std::string_view trace_blob);
+
+  void remember(PendingFile::Kind kind, std::string_view payload);
+  void store_together(const std::vector<PackedTrial>& trials,
+                      const std::vector<TraceWorld>& worlds);
+  void insert_rows(const std::vector<PackedTrial>& trials);  // in a transaction
+  void take_in_pending();
+  static std::filesystem::path pending_path(const std::filesystem::path& file);
+  static constexpr std::size_t kPendingMax = 128;
+  static constexpr std::size_t kPendingBytesMax = std::size_t{8} << 20U;
 
   sqlite::Database database_;
+  std::unique_ptr<PendingFile> pending_file_;
+  std::vector<PackedTrial> pending_trials_;
+  std::vector<TraceWorld> pending_worlds_;
+  std::size_t pending_bytes_ = 0;
+  std::chrono::steady_clock::time_point pending_since_;
 };
 
 // The first deterministic column in which two records of one trial differ, with both values as

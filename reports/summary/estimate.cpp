@@ -123,9 +123,41 @@ double quantile(std::vector<double> values, double probability) {
   return quantile_of_sorted(values, probability);
 }
 
+namespace {
+
+// How often the values below a quantile come in a resample is binomial, and normal in the limit:
+// the interval is between the order statistics there.
+Estimate limit_of_quantile(std::span<const double> sorted, double probability) {
+  const double half =
+      kZ95 * std::sqrt(probability * (1 - probability) / static_cast<double>(sorted.size()));
+  return {quantile_of_sorted(sorted, probability),
+          {quantile_of_sorted(sorted, std::max(probability - half, 0.0)),
+           quantile_of_sorted(sorted, std::min(probability + half, 1.0))},
+          static_cast<std::int64_t>(sorted.size())};
+}
+
+// The mean of a resample is normal in the limit.
+Estimate limit_of_mean(std::span<const double> values) {
+  const auto n = static_cast<double>(values.size());
+  double mean = 0;
+  for (const double value : values) mean += value;
+  mean /= n;
+  double squares = 0;
+  for (const double value : values) squares += (value - mean) * (value - mean);
+  const double half = kZ95 * std::sqrt(squares) / n;
+  return {mean, {mean - half, mean + half}, static_cast<std::int64_t>(values.size())};
+}
+
+bool at_its_limit(const std::vector<double>& values, const BootstrapConfig& config) {
+  return values.size() > kResampledMax && config.resamples > 0;
+}
+
+}  // namespace
+
 Estimate quantile_estimate(std::vector<double> values, double probability,
                            const BootstrapConfig& config) {
   drop_absent_and_sort(values);
+  if (at_its_limit(values, config)) return limit_of_quantile(values, probability);
   return bootstrap(values, config, [&](const std::vector<std::uint32_t>& counts) {
     return quantile_of_counts(values, counts, probability);
   });
@@ -133,6 +165,7 @@ Estimate quantile_estimate(std::vector<double> values, double probability,
 
 Estimate mean_estimate(std::vector<double> values, const BootstrapConfig& config) {
   drop_absent_and_sort(values);
+  if (at_its_limit(values, config)) return limit_of_mean(values);
   return bootstrap(values, config, [&](const std::vector<std::uint32_t>& counts) {
     double sum = 0;
     for (std::size_t i = 0; i < values.size(); ++i) {

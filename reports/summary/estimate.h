@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -45,7 +46,9 @@ double quantile_of_sorted(std::span<const double> sorted, double probability);
 double quantile(std::vector<double> values, double probability);
 
 // Percentile bootstrap over the given values (B. Efron, Ann. Stat. 7, 1979,
-// doi:10.1214/aos/1176344552), O(resamples * n). Values that are NaN are left out and not counted.
+// doi:10.1214/aos/1176344552), O(resamples * n); of more than kResampledMax values what that tends
+// to for many values and resamples, O(n log n). Values that are NaN are left out and not counted.
+inline constexpr std::size_t kResampledMax = 20'000;
 Estimate quantile_estimate(std::vector<double> values, double probability,
                            const BootstrapConfig& config = {});
 Estimate mean_estimate(std::vector<double> values, const BootstrapConfig& config = {});

@@ -48,7 +48,61 @@ std::string statistics_table() {
   return table.markdown();
 }
 
+const ExampleQuery kQueries[] = {
+    {"How often did each planner reach the goal?",
+     "SELECT scenario_group, planner, count(*) AS n,\n"
+     "       avg(outcome = 'goal_reached') AS goal_reached_share\n"
+     "FROM trials GROUP BY scenario_group, planner ORDER BY scenario_group, planner;"},
+    {"What ended the others, and where?",
+     "SELECT planner, outcome, scenario, repetition, reason FROM trials\n"
+     "WHERE outcome <> 'goal_reached' ORDER BY planner, outcome, scenario, repetition;"},
+    {"How much longer is one planner's path than another's in the same world?",
+     "SELECT a.scenario, a.repetition, a.planner, b.planner,\n"
+     "       a.path_length_m / b.path_length_m AS ratio\n"
+     "FROM trials a JOIN trials b USING (scenario, vehicle, regulator, repetition)\n"
+     "WHERE a.planner < b.planner AND a.outcome = 'goal_reached' AND b.outcome = 'goal_reached';"},
+    {"Which worlds are hard for all?",
+     "SELECT world_id, json_extract(json, '$.start') AS start, count(*) AS n,\n"
+     "       sum(outcome <> 'goal_reached') AS failed\n"
+     "FROM trials JOIN worlds USING (world_id)\n"
+     "GROUP BY world_id ORDER BY failed DESC, world_id LIMIT 10;"},
+    {"What does planning cost, and which trials have a trace to replay?",
+     "SELECT planner, scenario, repetition, planning_time_us_mean, cpu_time_s,\n"
+     "       length(traces.data) AS trace_bytes\n"
+     "FROM trials LEFT JOIN traces USING (trial_id)\n"
+     "ORDER BY planning_time_us_mean DESC LIMIT 20;"},
+};
+
+std::string database() {
+  TextTable table = table_of({"table", "columns", "what it holds"});
+  table.rows = {
+      {"trials", "those above", "one row for each trial; texts and counts are never NULL"},
+      {"worlds", "world_id, json",
+       "the true world of trials: bounds, circles, polygons, segments, start and goal, in m"},
+      {"traces", "trial_id, data",
+       "what a replay draws, where the suite keeps it: JSON (reports/trace/trace_json.h), "
+       "compressed as raw deflate (RFC 1951)"},
+      {"files", "path, data",
+       "what was read to make the trials, byte for byte, compressed in the same way"},
+      {"meta", "key, value", "the suite's text, seed and repetitions, the build that flew it"}};
+  std::string text = table.markdown();
+  text +=
+      "\nA trace is unpacked by `python3 -c \"import sqlite3, zlib, sys; "
+      "print(zlib.decompress(sqlite3.connect(sys.argv[1]).execute('SELECT data FROM "
+      "traces').fetchone()[0], -15).decode())\" DIR/results.db`, and by `voronaut export DIR "
+      "--format mcap` with all others.\n";
+  for (const ExampleQuery& query : kQueries)
+    text.append("\n")
+        .append(query.question)
+        .append("\n\n```sql\n")
+        .append(query.sql)
+        .append("\n```\n");
+  return text;
+}
+
 }  // namespace
+
+std::span<const ExampleQuery> example_queries() { return kQueries; }
 
 std::string results_page() {
   return "# Results\n\n`voronaut list results` prints this page.\n\n## Outcomes\n\nA trial that is "
@@ -69,7 +123,17 @@ std::string results_page() {
          "criterion "
          "bounds a statistic by its name with `_min` where more is better, `_max` where less "
          "is.\n\n" +
-         statistics_table();
+         statistics_table() +
+         "\nOf more than 20 000 values the interval is what the bootstrap tends to: order "
+         "statistics at the binomial's limits for a quantile, 1.96 standard errors for a mean.\n"
+         "\n## Database\n\n`results.db` is an SQLite database, `PRAGMA user_version` the version "
+         "of "
+         "its schema. A trial is safe as soon as it has ended: killing the program loses nothing "
+         "of "
+         "it. Rows share transactions and are in `results.db-pending` until then; every command of "
+         "the program takes them in. A loss of power may cost the trials of the last 30 s, never "
+         "more and never the database.\n\n" +
+         database();
 }
 
 }  // namespace voronaut

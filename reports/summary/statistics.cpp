@@ -157,6 +157,11 @@ Estimate estimate_of(const Statistic& statistic, const Trials& trials,
   for (const RunRecord* trial : trials)
     if (statistic.trials != goal_reached || trial->outcome == Outcome::goal_reached)
       values.push_back(value_of(statistic, *trial));
+  return estimate_of(statistic, std::move(values), bootstrap);
+}
+
+Estimate estimate_of(const Statistic& statistic, std::vector<double> values,
+                     const BootstrapConfig& bootstrap) {
   switch (statistic.estimator) {
     case rate:
       return rate_of(values);

@@ -65,5 +65,8 @@ using Trials = std::vector<const RunRecord*>;
 // O(resamples * trials).
 Estimate estimate_of(const Statistic& statistic, const Trials& trials,
                      const BootstrapConfig& bootstrap = {});
+// The same of the values of the trials that it is over.
+Estimate estimate_of(const Statistic& statistic, std::vector<double> values,
+                     const BootstrapConfig& bootstrap);
 
 }  // namespace voronaut

@@ -145,6 +145,7 @@ interface Payload {
   worlds: World[];
   traces: Record<string, string>;
   stored_traces: number;
+  stored_trials: number;
   folder: string;  // as it was named on the command line
   comparison: Comparison | null;
   mapping: MappingData | null;

@@ -82,6 +82,10 @@ export function overview(report: Report, palette: Palette, filter: Filter): HTML
   const matrices = report.vehicles.filter((v) => !filter.vehicle || v === filter.vehicle)
     .map((vehicle) => arrivalMatrix(rows.filter((r) => vehicleOf(r) === vehicle), reached, vehicle,
       palette));
-  return el("div", {}, el("div", { class: "beside" }, ...matrices),
+  return el("div", {},
+    report.trials.length < report.stored_trials && el("p", { class: "note" },
+      `The tables below are over all ${report.stored_trials} trials; what is drawn of single trials is over ` +
+      `${report.trials.length} of them, those of the lowest repetitions. The others are in the results store.`),
+    el("div", { class: "beside" }, ...matrices),
     detailTable(rows, statistics, manyVehicles, palette), pairingSection(report, palette, filter, keep));
 }

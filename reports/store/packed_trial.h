@@ -7,7 +7,8 @@
 
 namespace voronaut {
 
-// What a child sends to the runner: a record bit for bit, and its trace as the store keeps it.
+// A record bit for bit, and its trace as the store keeps it: what a child sends to the runner, and
+// what is on its way into the database.
 struct PackedTrial {
   RunRecord record;
   std::string trace_blob;  // of compress_trace(); empty: none

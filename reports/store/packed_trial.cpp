@@ -1,4 +1,4 @@
-#include "voronaut/benchmarks/runner/packed_trial.h"
+#include "voronaut/reports/store/packed_trial.h"
 
 #include <bit>
 #include <cstdint>
