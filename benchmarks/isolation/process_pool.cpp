@@ -17,13 +17,14 @@ namespace voronaut {
 
 namespace {
 
-// SIGINT and SIGTERM become readable instead of deadly, as long as this lives.
+// The signals that ask a run to end become readable instead of deadly, as long as this lives.
 class StopSignals {
  public:
   StopSignals() {
     sigemptyset(&watched_);
     sigaddset(&watched_, SIGINT);
     sigaddset(&watched_, SIGTERM);
+    sigaddset(&watched_, SIGUSR1);
     sigprocmask(SIG_BLOCK, &watched_, &before_);
     fd_ = signalfd(-1, &watched_, SFD_CLOEXEC | SFD_NONBLOCK);
     if (fd_ < 0) {
@@ -44,8 +45,15 @@ class StopSignals {
 
   bool received() {
     signalfd_siginfo info;
-    while (read(fd_, &info, sizeof info) == static_cast<ssize_t>(sizeof info)) received_ = true;
+    while (read(fd_, &info, sizeof info) == static_cast<ssize_t>(sizeof info)) {
+      received_ = true;
+      interrupted_ = interrupted_ || info.ssi_signo == SIGINT;
+    }
     return received_;
+  }
+
+  ProcessPool::End end() const {
+    return interrupted_ ? ProcessPool::End::interrupted : ProcessPool::End::stopped;
   }
 
  private:
@@ -53,6 +61,7 @@ class StopSignals {
   sigset_t before_{};
   int fd_ = -1;
   bool received_ = false;
+  bool interrupted_ = false;
 };
 
 struct Running {
@@ -72,14 +81,15 @@ void wait_for_events(const std::list<Running>& children, int signal_fd) {
   poll(fds.data(), fds.size(), static_cast<int>(std::max<std::int64_t>(wait.count(), 0)));
 }
 
-// Takes care of every child once; those that have ended are handed over and forgotten.
-void attend(std::list<Running>& children) {
+// Takes care of every child once; those that have ended are handed over and forgotten. After a
+// signal they are only forgotten: who sends it to all processes of a job has ended them too.
+void attend(std::list<Running>& children, StopSignals& stop) {
   for (auto child = children.begin(); child != children.end();) {
     child->process->read_output();
     if (child->process->has_ended()) {
       const Running ended = std::move(*child);
       child = children.erase(child);
-      ended.done(ended.process->report());
+      if (!stop.received()) ended.done(ended.process->report());
     } else {
       child->process->enforce_wall_limit(ChildProcess::Clock::now());
       ++child;
@@ -109,10 +119,10 @@ ProcessPool::End ProcessPool::run(const std::function<std::optional<Job>()>& nex
             {std::make_unique<ChildProcess>(job->work, limits_, setup_), std::move(job->done)});
       }
     }
-    if (stop.received()) return End::interrupted;
+    if (stop.received()) return stop.end();
     if (children.empty()) return End::all_done;
     wait_for_events(children, stop.fd());
-    attend(children);
+    attend(children, stop);
     if (tick_) tick_();
   }
 }

@@ -71,14 +71,15 @@ constexpr const char* kTookTheRunner =
 class SuiteRun {
  public:
   SuiteRun(const SuiteConfig& suite, const FlyTrial& fly, ShortestReferences& references,
-           ResultStore& store, Progress& progress)
+           ResultStore& store, Progress& progress, const RunShare& share)
       : suite_(suite),
         fly_(fly),
         references_(references),
         store_(store),
         progress_(progress),
+        share_(share),
         marks_(store.file().string() + "-in-flight"),
-        trials_(suite, rehearse_in_child()) {}
+        trials_(suite, rehearse_in_child(), share.shard) {}
 
   RunReport report;
 
@@ -87,7 +88,7 @@ class SuiteRun {
       progress_.tick(ChildProcess::Clock::now());
       TrialSpec& spec = planned->spec;
       const auto suspicion = marks_.suspicion(spec.trial_id);
-      if (store_.has(spec.trial_id)) {
+      if (store_.has(spec.trial_id) || share_.elsewhere.contains(spec.trial_id)) {
         ++report.stored;
         progress_.trial_stored();
         marks_.stored(spec.trial_id);
@@ -170,6 +171,7 @@ class SuiteRun {
   ShortestReferences& references_;
   ResultStore& store_;
   Progress& progress_;
+  const RunShare& share_;
   FlightMarks marks_;
   SuiteTrials trials_;
   std::deque<Pending> again_;
@@ -179,15 +181,18 @@ class SuiteRun {
 }  // namespace
 
 RunReport run_suite(const SuiteConfig& suite, const FlyTrial& fly, std::size_t jobs,
-                    ShortestReferences& references, ResultStore& store, Progress& progress) {
-  SuiteRun run(suite, fly, references, store, progress);
+                    ShortestReferences& references, ResultStore& store, Progress& progress,
+                    const RunShare& share) {
+  SuiteRun run(suite, fly, references, store, progress, share);
   const auto tick = [&] { progress.tick(ChildProcess::Clock::now()); };
   const ChildProcess::Setup setup{.read_only = {store.file().parent_path()}};
   ProcessPool together(jobs, suite.limits.process, setup, tick);
   ProcessPool alone(1, suite.limits.process, setup, tick);
-  run.report.interrupted =
-      together.run([&] { return run.next(); }) == ProcessPool::End::interrupted ||
-      alone.run([&] { return run.next_again(); }) == ProcessPool::End::interrupted;
+  auto end = together.run([&] { return run.next(); });
+  if (end == ProcessPool::End::all_done) end = alone.run([&] { return run.next_again(); });
+  run.report.interrupted = end == ProcessPool::End::interrupted;
+  run.report.stopped = end == ProcessPool::End::stopped;
+  if (end == ProcessPool::End::all_done) progress.all_done();
   store.restore_at_path();
   progress.finish(ChildProcess::Clock::now());
   return run.report;
