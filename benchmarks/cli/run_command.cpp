@@ -1,4 +1,5 @@
 #include <chrono>
+#include <csignal>
 #include <ctime>
 #include <iostream>
 #include <optional>
@@ -77,6 +78,16 @@ ExitCode report_shard(const Shard& shard, const OutputFolder& folder,
   return ExitCode::success;
 }
 
+// An engine that asks this to stop while it prepares is heard as soon as it would fly; when all is
+// flown, it ends anyhow. For the rest of the process.
+void hold_stop_signals() {
+  sigset_t signals;
+  sigemptyset(&signals);
+  sigaddset(&signals, SIGTERM);
+  sigaddset(&signals, SIGUSR1);
+  sigprocmask(SIG_BLOCK, &signals, nullptr);
+}
+
 // What of its suite a folder is to hold.
 struct Part {
   std::optional<Shard> shard;  // else all of it
@@ -123,6 +134,7 @@ std::filesystem::path run_folder(const std::string& out, const SuiteConfig& suit
 }
 
 ExitCode execute(const RunOptions& options, const CommandContext& context) {
+  hold_stop_signals();
   SuiteSource source = source_of(options);
   SuiteConfig suite = source.read(context.planners);
   SuiteTrials::check_worlds(suite);

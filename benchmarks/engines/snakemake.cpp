@@ -49,7 +49,7 @@ constexpr const char* kSnakemakeSubmit =
     "  --rerun-incomplete &\n"
     "pid=$!\n"
     "echo $pid >pid\n"
-    "trap 'kill -TERM -- -$pid' TERM INT\n"
+    "trap 'kill -s TERM -- -$pid' TERM INT\n"
     "code=0\n"
     "wait $pid || code=$?\n"
     "while kill -0 $pid 2>/dev/null; do wait $pid || code=$?; done\n"
@@ -65,7 +65,7 @@ constexpr const char* kSnakemakeCancel =
     "pid=$(cat pid)\n"
     "case $pid in *[!0-9]* | '') exit 0 ;; esac\n"
     "[ \"$(readlink \"/proc/$pid/cwd\")\" = \"$(pwd -P)\" ] || { rm -f pid; exit 0; }\n"
-    "kill -TERM -- \"-$pid\"\n";
+    "kill -s TERM -- \"-$pid\"\n";
 
 }  // namespace
 

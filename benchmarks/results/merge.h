@@ -21,7 +21,7 @@ struct MergeOrder {
   std::vector<std::filesystem::path> folders;  // as folders_with_results() reads them
   std::filesystem::path into;                  // its own results, if it has some, stay
   bool mixed_builds = false;                   // rows of several builds may stand in one table
-  std::vector<std::string> command_line;       // for the manifest
+  std::vector<std::string> command_line = {};  // for the manifest
 };
 
 // All rows, worlds, traces and kept files of several folders as one. The result does not depend on
