@@ -1,10 +1,12 @@
 #pragma once
 
+#include <filesystem>
 #include <iosfwd>
 #include <string>
 #include <vector>
 
 #include "voronaut/benchmarks/cli/options.h"
+#include "voronaut/benchmarks/results/manifest.h"
 #include "voronaut/planners/catalog/catalog.h"
 
 // The commands of the program. Each throws what it thinks of its input (ConfigError, StoreError,
@@ -30,5 +32,13 @@ ExitCode execute(const PlotOptions& options, const CommandContext& context);
 ExitCode execute(const ShowOptions& options, const CommandContext& context);
 ExitCode execute(const ExportOptions& options, const CommandContext& context);
 ExitCode execute(const SchemaOptions& options, const CommandContext& context);
+ExitCode execute(const MergeOptions& options, const CommandContext& context);
+ExitCode execute(const StatusOptions& options, const CommandContext& context);
+ExitCode execute(const SubmitOptions& options, const CommandContext& context);
+ExitCode execute(const CancelOptions& options, const CommandContext& context);
+
+// The suite that is asked for, as text; and where its results go.
+SuiteSource source_of(const SuiteChoice& choice);
+std::filesystem::path run_folder(const std::string& out, const SuiteConfig& suite);
 
 }  // namespace voronaut

@@ -17,7 +17,8 @@ ExitCode execute(const SummaryOptions& options, const CommandContext& context) {
   const Summary summary = folder.summary();
   context.out << (options.json  ? summary_json(summary) + "\n"
                   : options.csv ? summary_csv(summary)
-                                : summary_text(summary) + folder.note_on_repetitions());
+                                : summary_text(summary) + folder.note_on_repetitions() +
+                                      folder.note_on_builds());
   return ExitCode::success;
 }
 

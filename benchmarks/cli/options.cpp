@@ -4,7 +4,9 @@
 
 #include <CLI/CLI.hpp>
 
+#include "voronaut/benchmarks/engines/engine.h"
 #include "voronaut/benchmarks/results/build_info.h"
+#include "voronaut/benchmarks/suite/shard.h"
 #include "voronaut/environments/formats/foreign_formats.h"
 
 namespace voronaut {
@@ -34,6 +36,22 @@ void add_plugins(CLI::App* command, std::vector<std::string>& plugins) {
   command->add_option("--plugin", plugins, "Shared library with planners; may be given again")
       ->expected(1)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+}
+
+// Which suite, and what is changed about it. Returns the option of its name.
+CLI::Option* add_suite(CLI::App* command, SuiteChoice& choice, const std::string& otherwise = {}) {
+  CLI::Option* suite = command->add_option(
+      "SUITE", choice.suite,
+      "Suite file, or the name of one that ships" + (otherwise.empty() ? "" : " " + otherwise));
+  command->add_option("--planners", choice.planners, "Only these, by label: a,b,...")
+      ->delimiter(',');
+  command->add_option("--seed", choice.seed, "Instead of the suite's")
+      ->check(CLI::Range(std::int64_t{0}, std::numeric_limits<std::int64_t>::max()));
+  command->add_option("--repetitions", choice.repetitions, "Instead of the suite's")
+      ->check(CLI::Range(1, 1'000'000));
+  add_data(command, choice.data);
+  add_plugins(command, choice.plugins);
+  return suite;
 }
 
 // Reads into `options` what belongs to each command; the command that was given says which holds.
@@ -73,23 +91,55 @@ struct Commands {
     add_show(app);
     add_export(app);
     add_schema(app);
+    add_merge(app);
+    add_status(app);
+    add_submit(app);
+    add_cancel(app);
   }
 
   void add_run(CLI::App& app) {
     run_command = add_command(app, "run", "Fly a suite; complete what is missing of it");
-    run_command->add_option("SUITE", run.suite, "Suite file, or the name of one that ships")
-        ->required();
+    add_suite(run_command, run)->required();
     run_command->add_option("--out", run.out, "Folder of results [voronaut-results/<suite>]");
-    run_command->add_option("--planners", run.planners, "Only these, by label: a,b,...")
-        ->delimiter(',');
-    run_command->add_option("--seed", run.seed, "Instead of the suite's")
-        ->check(CLI::Range(std::int64_t{0}, std::numeric_limits<std::int64_t>::max()));
-    run_command->add_option("--repetitions", run.repetitions, "Instead of the suite's")
-        ->check(CLI::Range(1, 1'000'000));
     run_command->add_option("--jobs", run.jobs, "Trials at once [all cores but one]")
         ->check(CLI::Range(1, 1024));
-    add_data(run_command, run.data);
-    add_plugins(run_command, run.plugins);
+    run_command->add_option("--shard", run.shard, "One of n parts of it: i/n, from 1/n to n/n");
+  }
+
+  void add_merge(CLI::App& app) {
+    merge_command = add_command(app, "merge", "Make one folder of the shards of a run");
+    merge_command->add_option("DIR", merge.folders, "Folders of results, or of runs in shards")
+        ->required();
+    merge_command->add_option("-o,--output", merge.out, "Folder; may be one of them")->required();
+    merge_command->add_flag("--mixed-builds", merge.mixed_builds,
+                            "Take rows of several builds; the report says so");
+  }
+
+  void add_status(CLI::App& app) {
+    status_command =
+        add_command(app, "status", "Print what of a suite is done, missing and failed");
+    status_command->add_option("DIR", status.folder, "Folder of results, or of a run in shards")
+        ->required();
+    add_suite(status_command, status, "[the one that DIR keeps]");
+  }
+
+  void add_submit(CLI::App& app) {
+    submit_command = add_command(app, "submit", "Fly a suite in shards on an engine");
+    add_suite(submit_command, submit)->required();
+    submit_command->add_option("--engine", submit.engine, "What starts the shards")
+        ->required()
+        ->check(CLI::IsMember(engine_names()));
+    submit_command->add_option("--out", submit.out, "Folder of results [voronaut-results/<suite>]");
+    submit_command->add_option("--shards", submit.shards, "How many [by the number of trials]")
+        ->check(CLI::Range(std::size_t{1}, Shard::kCountMax));
+    submit_command->add_option("--jobs", submit.jobs, "Trials at once in a shard [1]")
+        ->check(CLI::Range(1, 1024));
+    submit_command->add_flag("--dry-run", submit.dry_run, "Write the files, submit nothing");
+  }
+
+  void add_cancel(CLI::App& app) {
+    cancel_command = add_command(app, "cancel", "End what was submitted for a folder of results");
+    add_folder(cancel_command, cancel.folder);
   }
 
   void add_replay(CLI::App& app) {
@@ -172,6 +222,10 @@ struct Commands {
     if (show_command->parsed()) return show;
     if (export_command->parsed()) return exported;
     if (schema_command->parsed()) return schema;
+    if (merge_command->parsed()) return merge;
+    if (status_command->parsed()) return status;
+    if (submit_command->parsed()) return submit;
+    if (cancel_command->parsed()) return cancel;
     return plot;
   }
 
@@ -187,6 +241,10 @@ struct Commands {
   ShowOptions show;
   ExportOptions exported;
   SchemaOptions schema;
+  MergeOptions merge;
+  StatusOptions status;
+  SubmitOptions submit;
+  CancelOptions cancel;
 
   CLI::App* run_command = nullptr;
   CLI::App* summary_command = nullptr;
@@ -200,6 +258,10 @@ struct Commands {
   CLI::App* show_command = nullptr;
   CLI::App* export_command = nullptr;
   CLI::App* schema_command = nullptr;
+  CLI::App* merge_command = nullptr;
+  CLI::App* status_command = nullptr;
+  CLI::App* submit_command = nullptr;
+  CLI::App* cancel_command = nullptr;
 };
 
 }  // namespace

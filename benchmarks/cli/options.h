@@ -11,15 +11,42 @@
 // What the command line says, as plain values.
 namespace voronaut {
 
-struct RunOptions {
+// A suite, and what is changed about it.
+struct SuiteChoice {
   std::string suite;  // a path, or the name of a suite that ships
-  std::string out;    // empty: voronaut-results/<suite>
   std::vector<std::string> planners;
   std::string seed;  // empty: the suite's
   std::string repetitions;
-  std::size_t jobs = 0;  // 0: all cores but one
   std::string data;
   std::vector<std::string> plugins;  // shared libraries with planners
+};
+
+struct RunOptions : SuiteChoice {
+  std::string out;       // empty: voronaut-results/<suite>
+  std::size_t jobs = 0;  // 0: all cores but one
+  std::string shard;     // "2/8"; empty: the whole suite
+};
+
+struct MergeOptions {
+  std::vector<std::string> folders;  // of results, or of runs in shards
+  std::string out;
+  bool mixed_builds = false;
+};
+
+struct StatusOptions : SuiteChoice {  // no suite: the one that the folder keeps
+  std::string folder;
+};
+
+struct SubmitOptions : SuiteChoice {
+  std::string engine;
+  std::string out;         // empty: voronaut-results/<suite>
+  std::size_t shards = 0;  // 0: by the number of trials
+  std::size_t jobs = 1;    // in a shard
+  bool dry_run = false;
+};
+
+struct CancelOptions {
+  std::string folder;
 };
 
 struct SummaryOptions {
@@ -96,7 +123,8 @@ struct SchemaOptions {
 
 using Options = std::variant<RunOptions, SummaryOptions, ListOptions, CheckOptions, ReplayOptions,
                              DigestOptions, ReportOptions, EvidenceOptions, PlotOptions,
-                             ShowOptions, ExportOptions, SchemaOptions>;
+                             ShowOptions, ExportOptions, SchemaOptions, MergeOptions, StatusOptions,
+                             SubmitOptions, CancelOptions>;
 
 // 0: done. 1: ran, but something failed. 2: bad input.
 enum class ExitCode { success = 0, failure = 1, bad_input = 2 };

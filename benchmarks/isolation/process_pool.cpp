@@ -17,13 +17,14 @@ namespace voronaut {
 
 namespace {
 
-// SIGINT and SIGTERM become readable instead of deadly, as long as this lives.
+// The signals that ask a run to end become readable instead of deadly, as long as this lives.
 class StopSignals {
  public:
   StopSignals() {
     sigemptyset(&watched_);
     sigaddset(&watched_, SIGINT);
     sigaddset(&watched_, SIGTERM);
+    sigaddset(&watched_, SIGUSR1);
     sigprocmask(SIG_BLOCK, &watched_, &before_);
     fd_ = signalfd(-1, &watched_, SFD_CLOEXEC | SFD_NONBLOCK);
     if (fd_ < 0) {
@@ -44,8 +45,15 @@ class StopSignals {
 
   bool received() {
     signalfd_siginfo info;
-    while (read(fd_, &info, sizeof info) == static_cast<ssize_t>(sizeof info)) received_ = true;
+    while (read(fd_, &info, sizeof info) == static_cast<ssize_t>(sizeof info)) {
+      received_ = true;
+      interrupted_ = interrupted_ || info.ssi_signo == SIGINT;
+    }
     return received_;
+  }
+
+  ProcessPool::End end() const {
+    return interrupted_ ? ProcessPool::End::interrupted : ProcessPool::End::stopped;
   }
 
  private:
@@ -53,6 +61,7 @@ class StopSignals {
   sigset_t before_{};
   int fd_ = -1;
   bool received_ = false;
+  bool interrupted_ = false;
 };
 
 }  // namespace
@@ -104,8 +113,9 @@ ProcessPool::ProcessPool(std::size_t jobs, const ProcessLimits& limits, ChildSer
 ProcessPool::~ProcessPool() = default;
 
 // Takes care of every child once; those that have ended are handed over, and the next ones of their
-// series started.
-void ProcessPool::attend() {
+// series started. After a signal nothing is handed over: who sends it to all processes of a job has
+// ended them too.
+void ProcessPool::attend(const std::function<bool()>& stopped) {
   for (auto lane = lanes_.begin(); lane != lanes_.end();) {
     ChildSeries& series = lane->series();
     series.read_output();
@@ -114,6 +124,7 @@ void ProcessPool::attend() {
       ++lane;
       continue;
     }
+    if (stopped()) return;
     lane->hand_over();
     if (lane->start_next()) {
       ++lane;
@@ -161,11 +172,11 @@ ProcessPool::End ProcessPool::run(const std::function<std::vector<Job>()>& next)
     }
     if (stop.received()) {
       lanes_.clear();
-      return End::interrupted;
+      return stop.end();
     }
     if (lanes_.empty()) return End::all_done;
     wait();
-    attend();
+    attend([&stop] { return stop.received(); });
     if (tick_) tick_();
   }
 }

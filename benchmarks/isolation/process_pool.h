@@ -9,8 +9,8 @@
 
 namespace voronaut {
 
-// Runs jobs in child processes, several at once. SIGINT and SIGTERM stop it in order: nothing more
-// is started and what is in flight is dropped.
+// Runs jobs in child processes, several at once. SIGINT, SIGTERM and SIGUSR1 stop it in order:
+// nothing more is started and what is in flight is dropped.
 class ProcessPool {
  public:
   struct Job {
@@ -20,7 +20,11 @@ class ProcessPool {
     std::function<void(const ChildReport&)> done;  // in the caller, as soon as it has ended
   };
 
-  enum class End { all_done, interrupted };
+  enum class End {
+    all_done,
+    interrupted,  // SIGINT: somebody at a terminal
+    stopped,      // SIGTERM, SIGUSR1: an engine that wants the machine back
+  };
 
   // jobs >= 1 children at once. `tick` is called between events, at least every 0.2 s.
   ProcessPool(std::size_t jobs, const ProcessLimits& limits, ChildSeries::Setup setup,
@@ -37,7 +41,7 @@ class ProcessPool {
 
  private:
   class Lane;
-  void attend();
+  void attend(const std::function<bool()>& stopped);
   std::vector<Job> next_jobs(const std::function<std::vector<Job>()>& next);
 
   std::size_t jobs_;

@@ -7,6 +7,7 @@
 #include <ctime>
 #include <stdexcept>
 #include <string>
+#include <thread>
 #include <utility>
 
 #include <fcntl.h>
@@ -50,7 +51,9 @@ bool is_file_of(int fd, const std::filesystem::path& path) {
 
 }  // namespace
 
-FolderLock::FolderLock(const std::filesystem::path& folder) : file_(folder / kFile) {
+FolderLock::FolderLock(const std::filesystem::path& folder, std::chrono::seconds patience)
+    : file_(folder / kFile) {
+  const auto deadline = std::chrono::steady_clock::now() + patience;
   while (true) {
     fd_ = open(file_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0644);
     if (fd_ < 0) fail(file_);
@@ -60,6 +63,10 @@ FolderLock::FolderLock(const std::filesystem::path& folder) : file_(folder / kFi
       close(fd_);
       errno = reason;
       if (reason != EWOULDBLOCK) fail(file_);
+      if (std::chrono::steady_clock::now() < deadline) {
+        std::this_thread::sleep_for(std::chrono::milliseconds(100));
+        continue;
+      }
       throw std::invalid_argument(folder.string() + ": in use by " +
                                   (holder.empty() ? "another process" : holder) +
                                   "; wait for it or give another --out");

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <chrono>
 #include <filesystem>
 
 namespace voronaut {
@@ -13,7 +14,8 @@ class FolderLock {
 
   // Throws std::invalid_argument that says who holds the folder, std::runtime_error where the file
   // system takes no lock.
-  explicit FolderLock(const std::filesystem::path& folder);
+  // `patience` is how long it waits for a holder to go.
+  explicit FolderLock(const std::filesystem::path& folder, std::chrono::seconds patience = {});
   FolderLock(FolderLock&& other) noexcept;
   FolderLock& operator=(FolderLock&&) = delete;
   FolderLock(const FolderLock&) = delete;

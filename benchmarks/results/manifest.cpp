@@ -101,14 +101,16 @@ std::string suite_identity(const SuiteConfig& suite) {
 }
 
 std::string manifest_json(const SuiteSource& source, const SuiteConfig& suite,
-                          const std::vector<std::string>& command, const std::string& started_utc) {
-  const Json manifest = {{"program", build_json()},
-                         {"machine", pairs_json(machine_facts())},
-                         {"command", command},
-                         {"started_utc", started_utc},
-                         {"suite_file", source.file},
-                         {"suite_text", source.text},
-                         {"configuration", full_json(suite)}};
+                          const std::vector<std::string>& command, const std::string& started_utc,
+                          const std::string& shard) {
+  Json manifest = {{"program", build_json()},
+                   {"machine", pairs_json(machine_facts())},
+                   {"command", command},
+                   {"started_utc", started_utc},
+                   {"suite_file", source.file},
+                   {"suite_text", source.text},
+                   {"configuration", full_json(suite)}};
+  if (!shard.empty()) manifest["shard"] = shard;
   return manifest.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 

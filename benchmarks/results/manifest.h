@@ -31,8 +31,9 @@ std::string suite_json(const SuiteConfig& suite);
 // limits and traces. Rows of two suites with different identities do not belong into one table.
 std::string suite_identity(const SuiteConfig& suite);
 
-// manifest.json: build, machine, command, configuration, the suite's text.
+// manifest.json: the shard if it is one, build, machine, command, configuration, the suite's text.
 std::string manifest_json(const SuiteSource& source, const SuiteConfig& suite,
-                          const std::vector<std::string>& command, const std::string& started_utc);
+                          const std::vector<std::string>& command, const std::string& started_utc,
+                          const std::string& shard = {});
 
 }  // namespace voronaut

@@ -1,6 +1,7 @@
 #include "voronaut/benchmarks/results/output_folder.h"
 
 #include <algorithm>
+#include <cstring>
 #include <fstream>
 #include <ostream>
 #include <sstream>
@@ -48,6 +49,10 @@ fs::path free_name(const fs::path& folder) {
 // Whether the results may be continued; if not, they are to be moved aside.
 bool may_continue(const OutputFolder::Place& place, const Mismatch& mismatch, std::ostream& notes) {
   if (!mismatch.suite && !mismatch.program) return true;
+  if (place.shard)
+    throw std::invalid_argument(place.folder.string() + ": holds results of another " +
+                                (mismatch.suite ? "version of this suite" : "build") +
+                                "; give another --out or remove it");
   if (!place.chosen) return false;
   if (mismatch.suite)
     throw std::invalid_argument(place.folder.string() +
@@ -68,7 +73,8 @@ void move_aside(const fs::path& folder, const Mismatch& mismatch, std::ostream& 
 // Of writers that were killed.
 void remove_leftovers(const fs::path& folder) {
   for (const auto& entry : fs::directory_iterator(folder)) {
-    const std::string name = entry.path().filename().string();
+    std::string name = entry.path().filename().string();
+    if (name.ends_with("-journal")) name.resize(name.size() - std::strlen("-journal"));
     const auto end = name.find_last_not_of("0123456789");
     if (end != std::string::npos && name.substr(0, end + 1).ends_with(".part") &&
         entry.is_regular_file())
@@ -76,10 +82,32 @@ void remove_leftovers(const fs::path& folder) {
   }
 }
 
+// How long the holder of a shard's folder is waited for. Slurm kills what does not end 30 s after
+// SIGTERM.
+constexpr std::chrono::seconds kShardPatience{60};
+
+std::string this_build() { return program_id() + " " + version_line(); }
+
+std::vector<std::string> lines_of(const std::string& text) {
+  std::vector<std::string> lines;
+  std::istringstream in(text);
+  for (std::string line; std::getline(in, line);) lines.push_back(line);
+  return lines;
+}
+
+// This build among those that a store says its rows come from.
+std::string builds_with_this(const ResultStore& store) {
+  std::string text = store.meta("builds").value_or("");
+  for (const std::string& line : lines_of(text))
+    if (line == this_build()) return text;
+  return text + this_build() + "\n";
+}
+
 ResultStore::Meta meta_of(const SuiteSource& source, const SuiteConfig& suite) {
   const std::string data = DataLocation::find(source.data_argument).folder;
   return {{"suite_identity", suite_identity(suite)},
           {"program_sha256", program_id()},
+          {"builds", this_build() + "\n"},
           {"suite_file", fs::absolute(source.file).lexically_normal().string()},
           {"suite_text", source.text},
           {"data", data.empty() ? "" : fs::absolute(data).string()},
@@ -109,14 +137,15 @@ OutputFolder OutputFolder::prepare(const Place& place, const SuiteSource& source
                                    const SuiteConfig& suite, std::ostream& notes) {
   if (fs::exists(place.folder) && !fs::is_directory(place.folder))
     throw std::invalid_argument(place.folder.string() + ": is no folder");
-  const ResultStore::Meta meta = meta_of(source, suite);
+  ResultStore::Meta meta = meta_of(source, suite);
   while (true) {
     fs::create_directories(place.folder);
-    FolderLock lock(place.folder);
+    FolderLock lock(place.folder, place.shard ? kShardPatience : std::chrono::seconds{});
     remove_leftovers(place.folder);
     ResultStore store = ResultStore::create(place.folder / kDatabase, meta);
     const Mismatch mismatch = compare(store, meta);
     if (may_continue(place, mismatch, notes)) {
+      meta["builds"] = builds_with_this(store);
       store.set_meta(meta);
       store.keep_files(source.files);
       return {place.folder, std::move(lock), std::move(store)};
@@ -158,6 +187,20 @@ std::string OutputFolder::note_on_repetitions() const {
          std::to_string(most) + " are stored)\n";
 }
 
+std::vector<std::string> OutputFolder::builds() const {
+  return lines_of(store_.meta("builds").value_or(""));
+}
+
+std::string OutputFolder::note_on_builds() const {
+  const auto all = builds();
+  if (all.size() < 2) return {};
+  std::string text = "rows of " + std::to_string(all.size()) + " builds are in one table:";
+  for (const std::string& build : all)
+    text += (&build == &all.front() ? " " : ", ") + build.substr(build.find(' ') + 1) +
+            " with SHA-256 " + build.substr(0, 12);
+  return text + "\n";
+}
+
 std::string OutputFolder::complete_id(const std::string& beginning) const {
   std::vector<std::string> found;
   for (const std::string& id : store_.trial_ids())
@@ -181,7 +224,15 @@ void OutputFolder::write_report(const fs::path& file, std::optional<RunCompariso
                                 const std::string& mapping_json) const {
   std::string suite = "empty";
   store_.for_each_record([&](const RunRecord& first) { suite = first.suite; }, "trial_id LIMIT 1");
-  ReportInput input = read_report_input(store_, suite, text_of(this->file("manifest.json")));
+  std::string manifest = text_of(this->file("manifest.json"));
+  if (const std::string note = note_on_builds(); !note.empty()) {
+    auto json = nlohmann::ordered_json::parse(manifest, nullptr, false);
+    if (!json.is_object()) json = nlohmann::ordered_json::object();
+    json["mixed_builds"] = std::to_string(builds().size());
+    json["mixed_builds_are"] = builds();
+    manifest = json.dump();
+  }
+  ReportInput input = read_report_input(store_, suite, std::move(manifest));
   input.folder = folder_.string();
   input.comparison = std::move(comparison);
   input.mapping_json = mapping_json;

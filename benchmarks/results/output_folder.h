@@ -21,6 +21,7 @@ class OutputFolder {
   struct Place {
     std::filesystem::path folder;
     bool chosen = false;  // named by the user; else it is the suite's own default
+    bool shard = false;   // of a run: nothing is moved aside, no other build goes on in it
   };
 
   // Makes the folder or continues the one that is there, also one that was killed, or ran out of
@@ -28,7 +29,9 @@ class OutputFolder {
   // who else holds it. Leftover temporary files (*.part) are deleted. Results of another version of
   // the suite are an error (std::invalid_argument) in a folder that the user chose and are moved
   // aside in the default one; so are those of another program in the default one, in a chosen one
-  // they are continued with a note. Notes are lines on `notes`.
+  // they are continued with a note. In the folder of a shard both are errors, and a holder is
+  // waited for a while: it may be the copy of this shard that an engine is just ending. Notes are
+  // lines on `notes`.
   static OutputFolder prepare(const Place& place, const SuiteSource& source,
                               const SuiteConfig& suite, std::ostream& notes);
   // One that is there. Throws std::invalid_argument, StoreError.
@@ -41,9 +44,14 @@ class OutputFolder {
   // What a summary of all records shows if the last run asked for fewer repetitions than are
   // stored, as a line; else empty.
   std::string note_on_repetitions() const;
+  // A line if rows of several builds are in it; else empty.
+  std::string note_on_builds() const;
+  // The builds that its rows come from, "SHA-256 of the program, blank, version".
+  std::vector<std::string> builds() const;
   // The one trial id that begins so. Throws std::invalid_argument if none or several do.
   std::string complete_id(const std::string& beginning) const;
 
+  const std::filesystem::path& path() const { return folder_; }
   std::filesystem::path file(const std::string& name) const { return folder_ / name; }
 
   void write_manifest(const std::string& json) const;

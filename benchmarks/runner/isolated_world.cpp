@@ -25,8 +25,11 @@ std::string bytes_of(double value) {
 }  // namespace
 
 ShortestReferences isolated_references(ShortestReferences::Length length) {
-  return ShortestReferences([length = std::move(length)](const Scenario& scenario,
-                                                         double radius_m) {
+  return ShortestReferences(isolated_length(std::move(length)));
+}
+
+ShortestReferences::Length isolated_length(ShortestReferences::Length length) {
+  return [length = std::move(length)](const Scenario& scenario, double radius_m) {
     const ChildReport ended =
         run_in_child([&] { return bytes_of(length(scenario, radius_m)); }, kLimits, kSetup);
     double length_m = kAbsent;
@@ -34,7 +37,7 @@ ShortestReferences isolated_references(ShortestReferences::Length length) {
       throw std::runtime_error("the shortest path of its world: " + end_in_words(ended, kLimits));
     std::memcpy(&length_m, ended.output.data(), sizeof length_m);
     return length_m;
-  });
+  };
 }
 
 SuiteTrials::Rehearse rehearse_in_child() {

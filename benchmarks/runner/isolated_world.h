@@ -7,6 +7,10 @@
 // that does to its process becomes rows of the trials concerned, and a run goes on.
 namespace voronaut {
 
+// `length` in a child; std::runtime_error says how that ended, where it brought no length.
+ShortestReferences::Length isolated_length(
+    ShortestReferences::Length length = ShortestReferences::exact_length_m);
+
 // Each length computed in a child, once for a world and a radius. add_to() throws
 // std::runtime_error that says how the child ended, where it brought no length.
 ShortestReferences isolated_references(

@@ -17,6 +17,8 @@ class Progress {
 
   void trial_stored();  // there from an earlier run: counts, but says nothing about the rate
   void trial_done(bool failed);
+  // As many trials as there are have been counted: what was announced for a shard was an estimate.
+  void all_done() { total_ = stored_ + done_; }
   // Prints if it is time to. Call it often.
   void tick(Time now);
   // The last line, always printed.

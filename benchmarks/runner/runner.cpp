@@ -86,14 +86,15 @@ constexpr const char* kTookTheRunner =
 class SuiteRun {
  public:
   SuiteRun(const SuiteConfig& suite, const FlyTrial& fly, ShortestReferences& references,
-           ResultStore& store, Progress& progress)
+           ResultStore& store, Progress& progress, const RunShare& share)
       : suite_(suite),
         fly_(fly),
         references_(references),
         store_(store),
         progress_(progress),
+        share_(share),
         marks_(store.file().string() + "-in-flight"),
-        trials_(suite, rehearse_in_child()) {}
+        trials_(suite, rehearse_in_child(), share.shard) {}
 
   RunReport report;
 
@@ -135,7 +136,7 @@ class SuiteRun {
       progress_.tick(ChildProcess::Clock::now());
       TrialSpec& spec = planned->spec;
       const auto suspicion = marks_.suspicion(spec.trial_id);
-      if (store_.has(spec.trial_id)) {
+      if (store_.has(spec.trial_id) || share_.elsewhere.contains(spec.trial_id)) {
         ++report.stored;
         progress_.trial_stored();
         marks_.stored(spec.trial_id);
@@ -205,6 +206,7 @@ class SuiteRun {
   ShortestReferences& references_;
   ResultStore& store_;
   Progress& progress_;
+  const RunShare& share_;
   FlightMarks marks_;
   SuiteTrials trials_;
   std::size_t taken_ = 0;  // of trials_
@@ -215,8 +217,9 @@ class SuiteRun {
 }  // namespace
 
 RunReport run_suite(const SuiteConfig& suite, const FlyTrial& fly, std::size_t jobs,
-                    ShortestReferences& references, ResultStore& store, Progress& progress) {
-  SuiteRun run(suite, fly, references, store, progress);
+                    ShortestReferences& references, ResultStore& store, Progress& progress,
+                    const RunShare& share) {
+  SuiteRun run(suite, fly, references, store, progress, share);
   const auto tick = [&] {
     store.flush_when_due();
     progress.tick(ChildProcess::Clock::now());
@@ -224,9 +227,11 @@ RunReport run_suite(const SuiteConfig& suite, const FlyTrial& fly, std::size_t j
   const ChildProcess::Setup setup{.read_only = {store.file().parent_path()}};
   ProcessPool together(jobs, suite.limits.process, setup, tick);
   ProcessPool alone(1, suite.limits.process, setup, tick);
-  run.report.interrupted =
-      together.run([&] { return run.next_share(jobs); }) == ProcessPool::End::interrupted ||
-      alone.run([&] { return run.next_again(); }) == ProcessPool::End::interrupted;
+  auto end = together.run([&] { return run.next_share(jobs); });
+  if (end == ProcessPool::End::all_done) end = alone.run([&] { return run.next_again(); });
+  run.report.interrupted = end == ProcessPool::End::interrupted;
+  run.report.stopped = end == ProcessPool::End::stopped;
+  if (end == ProcessPool::End::all_done) progress.all_done();
   store.flush();
   progress.finish(ChildProcess::Clock::now());
   return run.report;

@@ -1,5 +1,6 @@
 #include "voronaut/benchmarks/suite/suite_trials.h"
 
+#include <algorithm>
 #include <stdexcept>
 #include <utility>
 
@@ -17,20 +18,32 @@ std::uint64_t world_seed(const SuiteConfig& suite, const std::string& scenario,
 
 }  // namespace
 
-SuiteTrials::SuiteTrials(const SuiteConfig& suite, Rehearse rehearse)
-    : suite_(suite), rehearse_(std::move(rehearse)) {
+SuiteTrials::SuiteTrials(const SuiteConfig& suite, Rehearse rehearse, Shard shard)
+    : suite_(suite), rehearse_(std::move(rehearse)), shard_(shard) {
   for (std::size_t scenario = 0; scenario < suite.scenarios.size(); ++scenario) {
     const bool once = suite.repeat == Repeat::random && !suite.scenarios[scenario].random();
     const auto repetitions = static_cast<std::size_t>(once ? 1 : suite.repetitions);
     for (std::size_t i = 0; i < repetitions; ++i) visits_.push_back({scenario, i});
   }
+  const std::size_t first = visits_.size() * (shard.number - 1) / shard.count;
+  std::rotate(visits_.begin(), visits_.begin() + static_cast<std::ptrdiff_t>(first), visits_.end());
 }
 
 std::size_t SuiteTrials::total() const {
   return visits_.size() * suite_.vehicles.size() * suite_.planners.size();
 }
 
+const SuiteTrials::Visit& SuiteTrials::visit() const {
+  return visits_[next_ / (suite_.vehicles.size() * suite_.planners.size())];
+}
+
 std::optional<PlannedTrial> SuiteTrials::next() {
+  while (auto planned = next_of_suite())
+    if (shard_.holds(planned->spec.trial_id)) return planned;
+  return std::nullopt;
+}
+
+std::optional<PlannedTrial> SuiteTrials::next_of_suite() {
   if (next_ == total()) return std::nullopt;
   const std::size_t in_world = suite_.vehicles.size() * suite_.planners.size();
   if (next_ % in_world == 0) enter_world();
@@ -42,10 +55,10 @@ std::optional<PlannedTrial> SuiteTrials::next() {
 }
 
 void SuiteTrials::enter_world() {
-  const std::size_t worlds = next_ / (suite_.vehicles.size() * suite_.planners.size());
-  const auto [scenario, repetition] = visits_[worlds];
+  const auto [scenario, repetition] = visit();
   const ScenarioSpec& source = suite_.scenarios[scenario];
-  if (repetition > 0 && !source.random()) return;
+  if (made_ == scenario && !source.random()) return;
+  made_ = scenario;
   make_world(source, world_seed(suite_, source.name(), repetition));
   if (refusal_.empty()) return;
   scenario_ = {};
@@ -67,8 +80,7 @@ void SuiteTrials::make_world(const ScenarioSpec& source, std::uint64_t seed) {
 }
 
 PlannedTrial SuiteTrials::trial(const VehicleEntry& vehicle, const PlannerSpec& planner) const {
-  const std::size_t worlds = next_ / (suite_.vehicles.size() * suite_.planners.size());
-  const std::size_t repetition = visits_[worlds].repetition;
+  const std::size_t repetition = visit().repetition;
   TrialSpec spec;
   spec.suite = suite_.name;
   spec.kind = suite_.kind;

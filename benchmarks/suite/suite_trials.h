@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "voronaut/benchmarks/suite/shard.h"
 #include "voronaut/benchmarks/suite/suite_config.h"
 #include "voronaut/benchmarks/trial/trial.h"
 
@@ -30,28 +31,34 @@ class SuiteTrials {
   using Rehearse = std::function<std::string(const std::function<void()>& work)>;
 
   // A random world that `rehearse` warns of is not made; its trials have that as their refusal.
-  explicit SuiteTrials(const SuiteConfig& suite, Rehearse rehearse = nullptr);
+  // Of a shard only its trials come, beginning with the worlds of its own stretch of the suite: so
+  // shards that fly at once measure different worlds first.
+  explicit SuiteTrials(const SuiteConfig& suite, Rehearse rehearse = nullptr, Shard shard = {});
 
-  std::size_t total() const;
+  std::size_t total() const;  // of the whole suite
   std::optional<PlannedTrial> next();
 
   // Makes the first world of every scenario. Throws ConfigError for one that cannot be made.
   static void check_worlds(const SuiteConfig& suite);
 
  private:
-  void enter_world();
-  void make_world(const ScenarioSpec& source, std::uint64_t seed);
-  PlannedTrial trial(const VehicleEntry& vehicle, const PlannerSpec& planner) const;
-
   // A scenario's turn: which one, for the how manieth time.
   struct Visit {
     std::size_t scenario, repetition;
   };
 
+  std::optional<PlannedTrial> next_of_suite();
+  const Visit& visit() const;  // that the next trial belongs to
+  void enter_world();
+  void make_world(const ScenarioSpec& source, std::uint64_t seed);
+  PlannedTrial trial(const VehicleEntry& vehicle, const PlannerSpec& planner) const;
+
   const SuiteConfig& suite_;
   Rehearse rehearse_;
+  Shard shard_;
   std::vector<Visit> visits_;
   std::size_t next_ = 0;
+  std::optional<std::size_t> made_;  // the scenario whose world is at hand
   Scenario scenario_;
   std::string world_id_;
   std::string refusal_;

@@ -52,6 +52,9 @@ class ResultStore {
   bool insert(const RunRecord& record, const std::optional<Trace>& trace);
   // The same with the trace as stored, for merging.
   bool insert_with_blob(const RunRecord& record, std::string_view trace_blob);
+  // All rows, worlds, traces and files of another store that this one lacks, or none: StoreError
+  // naming trial, column and both values where a trial of both has another result there.
+  void take_in(const std::filesystem::path& other);
   // Writes the file anew if somebody deleted, moved or replaced it while it is open; insert()
   // begins with that. What was cut off from it or overwritten in it is lost.
   void restore_at_path();

@@ -20,7 +20,7 @@ import { followSystemTheme, themeButton } from "./elements/theme";
 import { startTooltips } from "./elements/tooltip";
 
 // The facts of the manifest a reader looks for first, found by the last part of their name.
-const kHeadlineFacts = ["version", "commit", "compiler", "build_type", "processor", "seed", "started_utc"];
+const kHeadlineFacts = ["mixed_builds", "version", "commit", "compiler", "build_type", "processor", "seed", "started_utc"];
 
 function header(report: Report): HTMLElement {
   const reached = report.trials.filter((t) => !failed(t.outcome)).length;

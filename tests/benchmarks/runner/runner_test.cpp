@@ -164,7 +164,7 @@ int run_and_signal(const SuiteConfig& suite, const FlyTrial& fly,
   const pid_t runner = fork();
   if (runner == 0) {
     const RunReport report = run(suite, fly, jobs, database);
-    _exit(report.interrupted ? 1 : 0);
+    _exit(report.interrupted ? 1 : report.stopped ? 3 : 0);
   }
   wait_for(file);
   kill(runner, signal);
@@ -190,7 +190,7 @@ void expect_completion(int signal) {
   if (signal == SIGKILL) {
     EXPECT_TRUE(WIFSIGNALED(status));
   } else {
-    EXPECT_TRUE(WIFEXITED(status) && WEXITSTATUS(status) == 1) << status;
+    EXPECT_TRUE(WIFEXITED(status) && WEXITSTATUS(status) == (signal == SIGINT ? 1 : 3)) << status;
   }
   const RunReport rest = run(suite, calm(), 2, database);
   EXPECT_EQ(rest.stored + rest.done, 48U);
@@ -207,6 +207,7 @@ void expect_completion(int signal) {
 TEST(Runner, IsCompletedByTheNextRunAfterSigkill) { expect_completion(SIGKILL); }
 TEST(Runner, StopsInOrderOnSigintAndIsCompletedByTheNextRun) { expect_completion(SIGINT); }
 TEST(Runner, StopsInOrderOnSigtermAndIsCompletedByTheNextRun) { expect_completion(SIGTERM); }
+TEST(Runner, StopsInOrderOnSigusr1AndIsCompletedByTheNextRun) { expect_completion(SIGUSR1); }
 
 TEST(Runner, FliesAgainOnceWhatSomebodyElseKilled) {
   const TemporaryFolder folder;
