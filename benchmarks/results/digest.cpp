@@ -44,8 +44,7 @@ auto place_of(const RunRecord& r) {
 }
 
 std::string flight_text(const RunRecord& r) {
-  std::string text = r.scenario + "\n" + r.vehicle + "\n" + r.planner + "\n" +
-                     std::to_string(r.repetition) + "\n" + std::string(to_string(r.outcome));
+  std::string text(to_string(r.outcome));
   for (const double number :
        {r.duration_s, r.path_length_m, r.shortest_length_m, r.shortest_at_clearance_m, r.path_ratio,
         r.spl, r.clearance_smallest_m, r.clearance_mean_m, r.speed_mean_m_s, r.speed_max_m_s,
@@ -59,13 +58,21 @@ std::string flight_text(const RunRecord& r) {
 
 }  // namespace
 
+bool same_flight(const RunRecord& a, const RunRecord& b) {
+  return flight_text(a) == flight_text(b);
+}
+
 std::string flights_digest(const std::vector<RunRecord>& records) {
   std::vector<const RunRecord*> ordered;
   for (const RunRecord& record : records) ordered.push_back(&record);
   std::sort(ordered.begin(), ordered.end(),
             [](const RunRecord* a, const RunRecord* b) { return place_of(*a) < place_of(*b); });
   std::string text;
-  for (const RunRecord* record : ordered) text += flight_text(*record);
+  for (const RunRecord* record : ordered) {
+    const RunRecord& r = *record;
+    text += r.scenario + "\n" + r.vehicle + "\n" + r.planner + "\n" + std::to_string(r.repetition) +
+            "\n" + flight_text(r);
+  }
   return sha256_hex(text);
 }
 
