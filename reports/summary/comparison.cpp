@@ -198,12 +198,12 @@ PlannerChange change_of(const SummaryGroup& group, const std::string& planner,
   return change;
 }
 
-Verdict verdict_of(const Change& change, Better better, double tolerance) {
+ChangeVerdict verdict_of(const Change& change, Better better, double tolerance) {
   constexpr double kLevel = 0.05;
-  if (better == Better::neither || !(change.p_holm < kLevel)) return Verdict::undecided;
+  if (better == Better::neither || !(change.p_holm < kLevel)) return ChangeVerdict::undecided;
   const bool more = change.interval.low > tolerance;
-  if (!more && !(change.interval.high < -tolerance)) return Verdict::undecided;
-  return more == (better == Better::more) ? Verdict::better : Verdict::worse;
+  if (!more && !(change.interval.high < -tolerance)) return ChangeVerdict::undecided;
+  return more == (better == Better::more) ? ChangeVerdict::better : ChangeVerdict::worse;
 }
 
 void judge(RunComparison& comparison) {
@@ -232,7 +232,7 @@ const Change& PlannerChange::of(const RunComparison& comparison, std::string_vie
 bool RunComparison::worse() const {
   for (const PlannerChange& planner : changes)
     for (const Change& change : planner.changes)
-      if (change.verdict == Verdict::worse) return true;
+      if (change.verdict == ChangeVerdict::worse) return true;
   return false;
 }
 

@@ -15,7 +15,7 @@
 // group, scenario, vehicle, regulator, planner, repetition).
 namespace voronaut {
 
-enum class Verdict { undecided, better, worse };
+enum class ChangeVerdict { undecided, better, worse };
 
 // Of one statistic, now against before: of a rate the difference, else relative (0.01 is one
 // percent more): of a median the median over the pairs, else that of the two statistics over the
@@ -25,7 +25,7 @@ struct Change : Estimate {
   double p_holm = kAbsent;   // corrected over all changes of the comparison
   bool over_worlds = false;  // what was resampled: worlds, else pairs
   // Better or worse: p_holm is below 5 % and the interval lies beyond the tolerance.
-  Verdict verdict = Verdict::undecided;
+  ChangeVerdict verdict = ChangeVerdict::undecided;
   double repetitions_needed = kAbsent;  // to see a change of the tolerance in 80 % of runs
 };
 

@@ -29,9 +29,9 @@ std::string p_text(double p) {
   return fixed(p, 4);
 }
 
-std::string verdict_text(Verdict verdict) {
-  if (verdict == Verdict::undecided) return "";
-  return verdict == Verdict::better ? "better" : "worse";
+std::string verdict_text(ChangeVerdict verdict) {
+  if (verdict == ChangeVerdict::undecided) return "";
+  return verdict == ChangeVerdict::better ? "better" : "worse";
 }
 
 TextTable change_table() {

@@ -87,9 +87,9 @@ json change_to_json(const Statistic& statistic, const Change& change) {
   out["p"] = number(change.p);
   out["p_holm"] = number(change.p_holm);
   out["test"] = std::isnan(change.p) ? "" : test_name(statistic, change);
-  out["verdict"] = change.verdict == Verdict::undecided ? ""
-                   : change.verdict == Verdict::better  ? "better"
-                                                        : "worse";
+  out["verdict"] = change.verdict == ChangeVerdict::undecided ? ""
+                   : change.verdict == ChangeVerdict::better  ? "better"
+                                                              : "worse";
   out["repetitions_needed"] = number(change.repetitions_needed);
   return out;
 }

@@ -90,7 +90,7 @@ TEST(Comparison, AnOnePercentRegressionOfEveryTrialIsTold) {
   const PlannerChange& change = comparison.changes.front();
   EXPECT_GT(change.of(comparison, "path_ratio_median").interval.low, 0.0);
   EXPECT_NEAR(change.of(comparison, "path_ratio_median").value, 0.01, 1e-12);
-  EXPECT_EQ(change.of(comparison, "path_ratio_median").verdict, Verdict::worse);
+  EXPECT_EQ(change.of(comparison, "path_ratio_median").verdict, ChangeVerdict::worse);
   EXPECT_TRUE(comparison.worse());
   EXPECT_FALSE(compare_runs(now, before, {.tolerance = 0.02}).worse());
   EXPECT_THAT(
@@ -123,7 +123,7 @@ TEST(Comparison, OfLuckAloneRarelyCallsAnythingBetterOrWorse) {
     const RunComparison comparison =
         compare_runs(lucky_run(2 * seed, 0.7), lucky_run(2 * seed + 1, 0.7), config);
     for (const Change& change : comparison.changes.front().changes)
-      if (change.verdict != Verdict::undecided) {
+      if (change.verdict != ChangeVerdict::undecided) {
         ++called;
         break;
       }
@@ -134,9 +134,9 @@ TEST(Comparison, OfLuckAloneRarelyCallsAnythingBetterOrWorse) {
 TEST(Comparison, SeesAPlannerThatArrivesLessOftenAndResamplesWorldsWhereTheyAreMany) {
   const RunComparison comparison = compare_runs(lucky_run(1, 0.3), lucky_run(2, 1.0));
   const PlannerChange& change = comparison.changes.front();
-  EXPECT_EQ(change.of(comparison, "goal_reached_share").verdict, Verdict::worse);
+  EXPECT_EQ(change.of(comparison, "goal_reached_share").verdict, ChangeVerdict::worse);
   EXPECT_TRUE(change.of(comparison, "state_checks_median").over_worlds);
-  EXPECT_EQ(change.of(comparison, "state_checks_median").verdict, Verdict::undecided);
+  EXPECT_EQ(change.of(comparison, "state_checks_median").verdict, ChangeVerdict::undecided);
   const RunComparison back = compare_runs(lucky_run(2, 1.0), lucky_run(1, 0.3));
   EXPECT_FALSE(back.worse()) << "more arrivals are not worse";
 }
