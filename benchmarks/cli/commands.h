@@ -27,6 +27,7 @@ ExitCode execute(const CheckOptions& options, const CommandContext& context);
 ExitCode execute(const ReplayOptions& options, const CommandContext& context);
 ExitCode execute(const DigestOptions& options, const CommandContext& context);
 ExitCode execute(const ReportOptions& options, const CommandContext& context);
+ExitCode execute(const CompareOptions& options, const CommandContext& context);
 ExitCode execute(const EvidenceOptions& options, const CommandContext& context);
 ExitCode execute(const PlotOptions& options, const CommandContext& context);
 ExitCode execute(const ShowOptions& options, const CommandContext& context);

@@ -16,7 +16,8 @@ namespace {
 constexpr const char* kFooter =
     "Exit codes: 0 success; 1 ran, but something failed (a trial ended as crash, killed, memory "
     "or\n"
-    "invalid, a replay differed, a criterion is broken, the run was interrupted); 2 bad input.";
+    "invalid, a replay differed, a criterion is broken, a comparison is worse, the run was\n"
+    "interrupted); 2 bad input.";
 
 CLI::App* add_command(CLI::App& app, const std::string& name, const std::string& summary) {
   CLI::App* command = app.add_subcommand(name, summary);
@@ -82,6 +83,7 @@ struct Commands {
     digest_command->add_flag("--flights", digest.flights,
                              "Of what was flown alone: no ids, names of keys, modes, reasons");
     add_report(app);
+    add_compare(app);
     evidence_command =
         add_command(app, "evidence", "Hold the acceptance criteria of suites against results");
     evidence_command->add_option("DIR", evidence.folders, "Folders of results")->required();
@@ -166,6 +168,34 @@ struct Commands {
         ->check(CLI::IsMember({"html", "md", "csv"}));
   }
 
+  void add_compare(CLI::App& app) {
+    compare_command =
+        add_command(app, "compare",
+                    "Say what changed between two runs or planners; exit code 1 if for the worse");
+    compare_command->add_option("DIR", compare.folders, "Folders of results: before, now")
+        ->required()
+        ->expected(1, 2);
+    compare_command
+        ->add_option("--planners", compare.planners, "Two planners of one folder, by label: X Y")
+        ->expected(2);
+    compare_command
+        ->add_option("--statistics", compare.statistics,
+                     "Only these, a,b,... [all but measured times]")
+        ->delimiter(',');
+    compare_command
+        ->add_option("--across", compare.across,
+                     "Key of the suites that is meant to differ; may be given again")
+        ->expected(1)
+        ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+    compare_command
+        ->add_option("--tolerance", compare.tolerance,
+                     "Worse by less passes: points of a share, relative of the rest [0.02]")
+        ->check(CLI::Range(0.0, 1.0));
+    compare_command->add_option("--format", compare.format, "text, md or json [text]")
+        ->check(CLI::IsMember({"text", "md", "json"}));
+    add_plugins(compare_command, compare.plugins);
+  }
+
   void add_plot(CLI::App& app) {
     plot_command = add_command(app, "plot", "Draw trials as a figure, one panel per world");
     add_folder(plot_command, plot.folder);
@@ -218,6 +248,7 @@ struct Commands {
     if (replay_command->parsed()) return replay;
     if (digest_command->parsed()) return digest;
     if (report_command->parsed()) return report;
+    if (compare_command->parsed()) return compare;
     if (evidence_command->parsed()) return evidence;
     if (show_command->parsed()) return show;
     if (export_command->parsed()) return exported;
@@ -236,6 +267,7 @@ struct Commands {
   ReplayOptions replay;
   DigestOptions digest;
   ReportOptions report;
+  CompareOptions compare;
   EvidenceOptions evidence;
   PlotOptions plot;
   ShowOptions show;
@@ -253,6 +285,7 @@ struct Commands {
   CLI::App* replay_command = nullptr;
   CLI::App* digest_command = nullptr;
   CLI::App* report_command = nullptr;
+  CLI::App* compare_command = nullptr;
   CLI::App* evidence_command = nullptr;
   CLI::App* plot_command = nullptr;
   CLI::App* show_command = nullptr;

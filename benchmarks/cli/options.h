@@ -85,6 +85,16 @@ struct ReportOptions {
   std::string format = "html";
 };
 
+struct CompareOptions {
+  std::vector<std::string> folders;     // before, now; with planners one
+  std::vector<std::string> planners;    // two labels, before and now, within one folder
+  std::vector<std::string> statistics;  // empty: all that are not measured times
+  std::vector<std::string> across;      // keys of the suite that are meant to differ
+  double tolerance = 0.02;              // points of a share, relative of the rest
+  std::string format = "text";
+  std::vector<std::string> plugins;
+};
+
 struct EvidenceOptions {
   std::vector<std::string> folders;
   std::string out;  // a Markdown file; empty: standard output
@@ -122,9 +132,9 @@ struct SchemaOptions {
 };
 
 using Options = std::variant<RunOptions, SummaryOptions, ListOptions, CheckOptions, ReplayOptions,
-                             DigestOptions, ReportOptions, EvidenceOptions, PlotOptions,
-                             ShowOptions, ExportOptions, SchemaOptions, MergeOptions, StatusOptions,
-                             SubmitOptions, CancelOptions>;
+                             DigestOptions, ReportOptions, CompareOptions, EvidenceOptions,
+                             PlotOptions, ShowOptions, ExportOptions, SchemaOptions, MergeOptions,
+                             StatusOptions, SubmitOptions, CancelOptions>;
 
 // 0: done. 1: ran, but something failed. 2: bad input.
 enum class ExitCode { success = 0, failure = 1, bad_input = 2 };

@@ -10,6 +10,7 @@
 #include "voronaut/reports/page/mapping_report.h"
 #include "voronaut/reports/store/atomic_file.h"
 #include "voronaut/reports/store/csv_writer.h"
+#include "voronaut/reports/summary/comparison_text.h"
 #include "voronaut/reports/summary/summary_text.h"
 
 namespace voronaut {

@@ -44,8 +44,7 @@ std::string digest(const ResultStore& store) {
 namespace {
 
 std::string flight_text(const RunRecord& r) {
-  std::string text = r.scenario + "\n" + r.vehicle + "\n" + r.planner + "\n" +
-                     std::to_string(r.repetition) + "\n" + std::string(to_string(r.outcome));
+  std::string text(to_string(r.outcome));
   for (const double number :
        {r.duration_s, r.path_length_m, r.shortest_length_m, r.shortest_at_clearance_m, r.path_ratio,
         r.spl, r.clearance_smallest_m, r.clearance_mean_m, r.speed_mean_m_s, r.speed_max_m_s,
@@ -59,10 +58,17 @@ std::string flight_text(const RunRecord& r) {
 
 }  // namespace
 
+bool same_flight(const RunRecord& a, const RunRecord& b) {
+  return flight_text(a) == flight_text(b);
+}
+
 std::string flights_digest(const ResultStore& store) {
   Sha256 hash;
-  store.for_each_record([&](const RunRecord& record) { hash.add(flight_text(record)); },
-                        "scenario, vehicle, planner, repetition, trial_id");
+  const auto add = [&hash](const RunRecord& r) {
+    hash.add(r.scenario + "\n" + r.vehicle + "\n" + r.planner + "\n" +
+             std::to_string(r.repetition) + "\n" + flight_text(r));
+  };
+  store.for_each_record(add, "scenario, vehicle, planner, repetition, trial_id");
   return hash.hex();
 }
 

@@ -20,6 +20,10 @@ std::string difference_text(const RunRecord& stored, const RunRecord& flown);
 std::string digest(const std::vector<RunRecord>& records);
 std::string digest(const ResultStore& store);
 
+// Whether two trials flew alike: their part of flights_digest(), whatever world, vehicle, planner
+// and repetition are called.
+bool same_flight(const RunRecord& a, const RunRecord& b);
+
 // What was flown, whatever names its parts go by: SHA-256 over scenario, vehicle, planner,
 // repetition, outcome, the numbers of the flight and its state digest, in the order of the first
 // four. Ids, seeds, names of keys and columns, modes and reasons are left out, so that it stays

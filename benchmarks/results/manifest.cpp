@@ -55,8 +55,9 @@ Json scenario_json(const ScenarioSpec& scenario) {
 // These decide how many results there are and what is kept of them, or are seen in the scenarios.
 constexpr std::array kNotDefining{"repetitions", "repeat", "data", "limits", "traces"};
 
-// What decides results.
-Json defining_json(const SuiteConfig& suite) {
+}  // namespace
+
+nlohmann::ordered_json defining_json(const SuiteConfig& suite) {
   Json json = config_json(suite);
   for (const char* key : kNotDefining) json.erase(key);
   json["scenarios"] = list_json(suite.scenarios, scenario_json);
@@ -64,6 +65,8 @@ Json defining_json(const SuiteConfig& suite) {
   json["planners"] = list_json(suite.planners, planner_json);
   return json;
 }
+
+namespace {
 
 Json full_json(const SuiteConfig& suite) {
   Json json = defining_json(suite);

@@ -3,6 +3,8 @@
 #include <string>
 #include <vector>
 
+#include <nlohmann/json_fwd.hpp>
+
 #include "voronaut/benchmarks/suite/suite_config.h"
 #include "voronaut/environments/config/file_session.h"
 
@@ -26,6 +28,9 @@ struct SuiteSource {
 
 // The full configuration with every default, as JSON with a fixed order of keys.
 std::string suite_json(const SuiteConfig& suite);
+
+// The part of it that decides results: without repetitions, limits, traces and where data lies.
+nlohmann::ordered_json defining_json(const SuiteConfig& suite);
 
 // SHA-256 over what a folder of results must agree about: the whole suite but for repetitions,
 // limits and traces. Rows of two suites with different identities do not belong into one table.

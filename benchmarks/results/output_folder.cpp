@@ -10,6 +10,7 @@
 #include <nlohmann/json.hpp>
 
 #include "voronaut/benchmarks/results/build_info.h"
+#include "voronaut/benchmarks/results/digest.h"
 #include "voronaut/environments/config/nearest_name.h"
 #include "voronaut/environments/scenario/scenario_spec.h"
 #include "voronaut/reports/page/html_report.h"
@@ -239,8 +240,11 @@ void OutputFolder::write_report(const fs::path& file, std::optional<RunCompariso
   write_html_report(input, file);
 }
 
-RunComparison OutputFolder::compare_with(const OutputFolder& before) const {
-  RunComparison comparison = compare_runs(store_.records(), before.store_.records());
+RunComparison OutputFolder::compare_with(const OutputFolder& before,
+                                         const ComparisonConfig& config) const {
+  ComparisonConfig with_flights = config;
+  with_flights.same_flight = same_flight;
+  RunComparison comparison = compare_runs(store_.records(), before.store_.records(), with_flights);
   comparison.title = before.folder_.string();
   comparison.commit = commit_in(text_of(before.file("manifest.json")));
   return comparison;

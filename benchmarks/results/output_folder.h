@@ -61,7 +61,7 @@ class OutputFolder {
   void write_report(const std::filesystem::path& file, std::optional<RunComparison> comparison,
                     const std::string& mapping_json) const;
   // What this run says against another one.
-  RunComparison compare_with(const OutputFolder& before) const;
+  RunComparison compare_with(const OutputFolder& before, const ComparisonConfig& config = {}) const;
 
  private:
   OutputFolder(std::filesystem::path folder, std::optional<FolderLock> lock, ResultStore store)

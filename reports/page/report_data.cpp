@@ -9,6 +9,7 @@
 #include "voronaut/reports/encoding/deflate.h"
 #include "voronaut/reports/encoding/json_text.h"
 #include "voronaut/reports/record_columns.h"
+#include "voronaut/reports/summary/comparison_text.h"
 #include "voronaut/reports/summary/summary_text.h"
 #include "voronaut/reports/trace/trace_json.h"
 

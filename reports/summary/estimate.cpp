@@ -50,22 +50,6 @@ double interpolate(double low, double high, double fraction) {
   return fraction > 0 && low != high ? low + (high - low) * fraction : low;
 }
 
-// How often each of the sorted values was drawn stands for the sorted resample.
-double quantile_of_counts(std::span<const double> sorted, const std::vector<std::uint32_t>& counts,
-                          double probability) {
-  const auto [index, fraction] = quantile_position(sorted.size(), probability);
-  std::size_t seen = 0;
-  std::size_t k = 0;
-  while (seen + counts[k] <= index) {
-    seen += counts[k++];
-  }
-  const double low = sorted[k];
-  while (seen + counts[k] <= std::min(index + 1, sorted.size() - 1)) {
-    seen += counts[k++];
-  }
-  return interpolate(low, sorted[k], fraction);
-}
-
 template <class Statistic>
 Estimate bootstrap(const std::vector<double>& sorted, const BootstrapConfig& config,
                    Statistic&& statistic) {
@@ -153,6 +137,57 @@ bool at_its_limit(const std::vector<double>& values, const BootstrapConfig& conf
 }
 
 }  // namespace
+
+double quantile_of_counts(std::span<const double> sorted, const std::vector<std::uint32_t>& counts,
+                          double probability) {
+  std::size_t drawn = 0;
+  for (const std::uint32_t count : counts) drawn += count;
+  if (drawn == 0) return kAbsent;
+  const auto [index, fraction] = quantile_position(drawn, probability);
+  std::size_t seen = 0;
+  std::size_t k = 0;
+  while (seen + counts[k] <= index) {
+    seen += counts[k++];
+  }
+  const double low = sorted[k];
+  while (seen + counts[k] <= std::min(index + 1, drawn - 1)) {
+    seen += counts[k++];
+  }
+  return interpolate(low, sorted[k], fraction);
+}
+
+TestedEstimate bootstrap_test(const ResampledUnits& units, const ResampledValue& value,
+                              const BootstrapConfig& config) {
+  TestedEstimate tested;
+  const std::size_t n = units.unit_of.size();
+  tested.estimate.n = static_cast<std::int64_t>(n);
+  if (n == 0) return tested;
+  tested.estimate.value = value(std::vector<std::uint32_t>(n, 1));
+  if (units.units < 2 || config.resamples == 0) return tested;
+  SplitMix64 random(config.seed);
+  std::vector<double> resampled;
+  std::vector<std::uint32_t> drawn(units.units);
+  std::vector<std::uint32_t> counts(n);
+  for (int i = 0; i < config.resamples; ++i) {
+    std::fill(drawn.begin(), drawn.end(), 0U);
+    for (std::size_t k = 0; k < units.units; ++k) ++drawn[random.below(units.units)];
+    for (std::size_t k = 0; k < n; ++k) counts[k] = drawn[units.unit_of[k]];
+    if (const double one = value(counts); !std::isnan(one)) resampled.push_back(one);
+  }
+  if (resampled.empty()) return tested;
+  std::sort(resampled.begin(), resampled.end());
+  tested.estimate.interval = {quantile_of_sorted(resampled, kTail),
+                              quantile_of_sorted(resampled, 1.0 - kTail)};
+  const auto at_most =
+      std::upper_bound(resampled.begin(), resampled.end(), 0.0) - resampled.begin();
+  const auto at_least = resampled.end() - std::lower_bound(resampled.begin(), resampled.end(), 0.0);
+  const double rarer = static_cast<double>(std::min(at_most, at_least) + 1) /
+                       static_cast<double>(resampled.size() + 1);
+  const double least =
+      std::ldexp(1.0, 1 - static_cast<int>(std::min<std::size_t>(units.units, 1000)));
+  tested.p = std::clamp(2 * rarer, least, 1.0);
+  return tested;
+}
 
 Estimate quantile_estimate(std::vector<double> values, double probability,
                            const BootstrapConfig& config) {

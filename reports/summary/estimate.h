@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -44,6 +45,29 @@ struct BootstrapConfig {
 double quantile_of_sorted(std::span<const double> sorted, double probability);
 // The same of values in any order; NaN for none. O(n log n).
 double quantile(std::vector<double> values, double probability);
+
+// A bootstrapped value with the two-sided p value of "it is 0" that goes with its interval: below
+// 5 % where the interval leaves 0 out. Never below 2^(1 - units), which is what any test can say
+// that only takes differences of either sign for equally likely.
+struct TestedEstimate {
+  Estimate estimate;
+  double p = kAbsent;
+};
+
+// Which of the values were drawn together: `unit_of[i]` of value i, numbered from 0.
+struct ResampledUnits {
+  std::vector<std::size_t> unit_of;
+  std::size_t units = 0;
+};
+
+// A value of a resample, from how often each of the n values was drawn; NaN where it has none.
+using ResampledValue = std::function<double(const std::vector<std::uint32_t>& counts)>;
+TestedEstimate bootstrap_test(const ResampledUnits& units, const ResampledValue& value,
+                              const BootstrapConfig& config);
+
+// Quantile of `sorted` values of which each was drawn so many times; NaN if none was.
+double quantile_of_counts(std::span<const double> sorted, const std::vector<std::uint32_t>& counts,
+                          double probability);
 
 // Percentile bootstrap over the given values (B. Efron, Ann. Stat. 7, 1979,
 // doi:10.1214/aos/1176344552), O(resamples * n); of more than kResampledMax values what that tends

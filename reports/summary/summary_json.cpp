@@ -1,6 +1,7 @@
 #include <cmath>
 
 #include "voronaut/reports/encoding/json_text.h"
+#include "voronaut/reports/summary/comparison_text.h"
 #include "voronaut/reports/summary/summary_text.h"
 
 namespace voronaut {
@@ -81,16 +82,30 @@ json pairing_to_json(const PlannerPairing& p) {
   return out;
 }
 
-json change_to_json(const PlannerChange& c) {
+json change_to_json(const Statistic& statistic, const Change& change) {
+  json out = estimate(change);
+  out["p"] = number(change.p);
+  out["p_holm"] = number(change.p_holm);
+  out["test"] = std::isnan(change.p) ? "" : test_name(statistic, change);
+  out["verdict"] = change.verdict == ChangeVerdict::undecided ? ""
+                   : change.verdict == ChangeVerdict::better  ? "better"
+                                                              : "worse";
+  out["repetitions_needed"] = number(change.repetitions_needed);
+  return out;
+}
+
+json changes_to_json(const PlannerChange& c, const RunComparison& comparison) {
   json out = group_fields(c.group);
   out["planner"] = c.planner;
   out["n"] = c.n;
+  out["changed"] = c.changed;
   out["reached_before"] = rate_json(c.reached_before);
   out["reached_now"] = rate_json(c.reached_now);
   out["gained"] = c.gained;
   out["lost"] = c.lost;
-  for (const Statistic* one : statistics_shown(kComparison))
-    out["changes"][std::string(one->name)] = estimate(c.of(one->name));
+  for (std::size_t i = 0; i < comparison.statistics.size(); ++i)
+    out["changes"][std::string(comparison.statistics[i]->name)] =
+        change_to_json(*comparison.statistics[i], c.changes[i]);
   return out;
 }
 
@@ -110,10 +125,12 @@ json outcome_to_json(const OutcomeChange& c) {
 
 std::string comparison_json(const RunComparison& comparison) {
   json out{{"title", comparison.title},         {"commit", comparison.commit},
+           {"tolerance", comparison.tolerance}, {"worse", comparison.worse()},
+           {"pairs", comparison.pairs},         {"changed", comparison.changed},
            {"only_here", comparison.only_here}, {"only_there", comparison.only_there},
            {"changes", json::array()},          {"outcomes", json::array()}};
   for (const PlannerChange& c : comparison.changes) {
-    out["changes"].push_back(change_to_json(c));
+    out["changes"].push_back(changes_to_json(c, comparison));
   }
   for (const OutcomeChange& c : comparison.outcomes) {
     out["outcomes"].push_back(outcome_to_json(c));

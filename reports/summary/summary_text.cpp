@@ -130,60 +130,7 @@ void write_all(const Summary& summary, Write&& write) {
                  pairing_row, write);
 }
 
-std::string change_text(const Statistic& statistic, const Estimate& change) {
-  if (change.n == 0) {
-    return "-";
-  }
-  const auto signed_text = [](double value) {
-    return (value > 0 ? "+" : "") + fixed(100.0 * value, 1);
-  };
-  const std::string interval = std::isnan(change.interval.low)
-                                   ? ""
-                                   : " [" + signed_text(change.interval.low) + ", " +
-                                         signed_text(change.interval.high) + "]";
-  return signed_text(change.value) + (statistic.estimator == Estimator::rate ? "" : " %") +
-         interval + " over " + std::to_string(change.n);
-}
-
-TextTable change_table() {
-  TextTable table{{{"scenarios", Align::left},
-                   {"vehicle", Align::left},
-                   {"planner", Align::left},
-                   {"pairs"},
-                   {"reached before"},
-                   {"now"}},
-                  {}};
-  for (const Statistic* one : statistics_shown(kComparison)) {
-    const bool of_rate = one->estimator == Estimator::rate;
-    table.columns.push_back({std::string(one->label) + (of_rate ? "\nin points" : "")});
-  }
-  return table;
-}
-
-std::vector<std::string> change_row(const PlannerChange& c) {
-  std::vector<std::string> row{printable(c.group.scenario_group),
-                               printable(c.group.vehicle),
-                               printable(c.planner),
-                               std::to_string(c.n),
-                               share_text(c.reached_before),
-                               share_text(c.reached_now)};
-  for (const Statistic* one : statistics_shown(kComparison))
-    row.push_back(change_text(*one, c.of(one->name)));
-  return row;
-}
-
 }  // namespace
-
-std::string comparison_markdown(const RunComparison& comparison) {
-  TextTable table = change_table();
-  for (const PlannerChange& change : comparison.changes) {
-    table.rows.push_back(change_row(change));
-  }
-  return "**against " + printable(comparison.title) + "**\n\n" + table.markdown() + "\n" +
-         std::to_string(comparison.outcomes.size()) + " trials end differently; " +
-         std::to_string(comparison.only_here) + " here and " +
-         std::to_string(comparison.only_there) + " there have no partner.\n";
-}
 
 std::string summary_text(const Summary& summary) {
   std::string out;

@@ -2,7 +2,6 @@
 
 #include <string>
 
-#include "voronaut/reports/summary/comparison.h"
 #include "voronaut/reports/summary/summary.h"
 
 namespace voronaut {
@@ -21,11 +20,5 @@ std::string summary_csv(const Summary& summary);
 // Everything in Summary: {"groups":[...], "totals":[...], "pairings":[...], "statistics":[...]},
 // the last the table of statistics itself. Absent numbers are null.
 std::string summary_json(const Summary& summary);
-
-// What changed against another run, as a table in Markdown: changes with their 95 % intervals.
-std::string comparison_markdown(const RunComparison& comparison);
-
-// Everything in RunComparison; of the records what tells the trial, its outcome and its reason.
-std::string comparison_json(const RunComparison& comparison);
 
 }  // namespace voronaut

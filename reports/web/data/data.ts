@@ -62,6 +62,14 @@ export interface PlannerPairing extends GroupKey {
   win_share_a: Rate;
 }
 
+export interface Change extends Estimate {
+  p: number | null;
+  p_holm: number | null;  // corrected over the whole comparison
+  test: string;
+  verdict: "better" | "worse" | "";
+  repetitions_needed: number | null;
+}
+
 // One planner in one group, here against there: trials paired by scenario, repetition and vehicle.
 export interface PlannerChange extends GroupKey {
   planner: string;
@@ -70,7 +78,7 @@ export interface PlannerChange extends GroupKey {
   reached_now: Rate;
   gained: number;  // trials that failed there and reach the goal here
   lost: number;    // the other way round
-  changes: Record<string, Estimate>;  // by name of statistic: of a rate the mean, else relative, the median
+  changes: Record<string, Change>;  // by name of statistic: of a rate the mean, else relative, the median
 }
 
 export interface OutcomeChange {

@@ -1,6 +1,6 @@
 // This run against another one: what changed, trial by trial of the same scenario and repetition.
 import { groupName, plannerCell, rateCell } from "../elements/cells";
-import { byName, Estimate, OutcomeChange, PlannerChange, Report, Statistic, vehicleOf } from "../data/data";
+import { byName, Change, OutcomeChange, PlannerChange, Report, Statistic, vehicleOf } from "../data/data";
 import { el, fixed, nameOf } from "../elements/dom";
 import { replayLink } from "../elements/links";
 import { outcomeText } from "../elements/outcome_text";
@@ -14,22 +14,12 @@ function signed(value: number | null, decimals: number): string {
   return value !== null && value > 0 ? `+${text}` : text;
 }
 
-// Below six pairs no outcome of a two-sided sign test falls under 5 %: no word is said then.
-const kFewestPairs = 6;
-
-// Whether an interval leaves zero out, and on which side.
-function verdict(change: Estimate, better: Statistic["better"]): "better" | "worse" | "" {
-  const [low, high] = change.interval;
-  if (change.n < kFewestPairs || low === null || high === null || (low <= 0 && high >= 0)) return "";
-  if (better === "") return "";
-  return (low > 0) === (better === "more") ? "better" : "worse";
-}
-
-function changeCell(change: Estimate, statistic: Statistic): HTMLElement {
-  const word = verdict(change, statistic.better);
+function changeCell(change: Change, statistic: Statistic): HTMLElement {
+  const word = change.verdict;
   const kind = word === "better" ? "good" : word === "worse" ? "bad" : "";
   const unit = statistic.rate ? "" : "%";
-  return el("span", { class: kind }, change.n === 0 ? "\u2013" : `${signed(change.value, 1)} ${unit}`,
+  return el("span", { class: kind, title: change.test && `${change.test}, p = ${fixed(change.p, 4)}, ` +
+    `corrected ${fixed(change.p_holm, 4)}` }, change.n === 0 ? "\u2013" : `${signed(change.value, 1)} ${unit}`,
     word && el("b", {}, ` ${word}`),
     change.interval[0] !== null && el("small", {}, `[${signed(change.interval[0], 1)}, ` +
       `${signed(change.interval[1], 1)}] over ${change.n}`));
@@ -83,7 +73,7 @@ export function comparisonSection(report: Report, palette: Palette, filter: Filt
     el("p", {}, "Here: this run. There: ", el("b", {}, el("bdi", {}, other.title)),
       other.commit && `, commit ${other.commit.slice(0, 12)}`,
       ". Trials are paired by scenario, vehicle, planner and repetition; a change is called better or " +
-      `worse where its 95 % interval leaves zero out, from ${kFewestPairs} pairs on.`,
+      "worse where its 95 % interval leaves zero out and p, corrected after Holm over the table, is below 5 %.",
       alone > 0 && ` ${other.only_here} trials here and ${other.only_there} there have no partner.`),
     changeTable(other.changes.filter((r) => keep(r) && (!filter.group || r.scenario_group === filter.group))
       .sort((a, b) => byName(groupName(a), groupName(b)) || byName(a.planner, b.planner)),

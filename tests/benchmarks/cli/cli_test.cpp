@@ -265,6 +265,32 @@ TEST_F(CommandLine, RunsASuiteAndAnswersQuestionsAboutIt) {
   }
 }
 
+TEST_F(CommandLine, ComparesRunsAndPlannersAndRefusesUnlikeSuites) {
+  write_open_suite();
+  ASSERT_EQ(voronaut("run open.yaml --out a").exit_code, 0);
+  ASSERT_EQ(voronaut("run open.yaml --out b").exit_code, 0);
+  const Answer same = voronaut("compare a b");
+  EXPECT_EQ(same.exit_code, 0) << same.err;
+  EXPECT_EQ(same.out, "identical: all 2 trials flew alike\n");
+  EXPECT_THAT(voronaut("compare a b --format json").out, HasSubstr("\"changed\":0"));
+
+  const Answer planners = voronaut("compare a --planners RRTConnect PotentialField");
+  EXPECT_EQ(planners.exit_code, 0) << "one pair says nothing: " << planners.err;
+  EXPECT_THAT(planners.out, HasSubstr("against RRTConnect: 1 of 1 trials flew differently"));
+  EXPECT_THAT(planners.out, HasSubstr("McNemar, exact"));
+
+  write("open.yaml", text_of(path("open.yaml")) + "navigation: {off_path_m: 3}\n");
+  ASSERT_EQ(voronaut("run open.yaml --out c").exit_code, 0);
+  const Answer unlike = voronaut("compare a c");
+  EXPECT_EQ(unlike.exit_code, 2);
+  EXPECT_THAT(unlike.err, HasSubstr("not to be compared with a: navigation.off_path_m: "));
+  EXPECT_EQ(voronaut("compare a c --across navigation.off_path_m").exit_code, 0);
+  for (const char* wrong :
+       {"compare a", "compare a b --planners RRTConnect PotentialField", "compare a nowhere",
+        "compare a --planners RRTConnect RRT", "compare a b --statistics success"})
+    EXPECT_EQ(voronaut(wrong).exit_code, 2) << wrong;
+}
+
 TEST_F(CommandLine, KeepsResultsOfAnotherVersionOfTheSuiteApart) {
   write_open_suite();
   ASSERT_EQ(voronaut("run open.yaml --planners RRTConnect").exit_code, 0);

@@ -1,9 +1,11 @@
 #include "voronaut/reports/summary/comparison.h"
 
+#include <random>
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "voronaut/reports/summary/summary_text.h"
+#include "voronaut/reports/summary/comparison_text.h"
 #include "voronaut/tests/reports/synthetic_run.h"
 
 namespace voronaut {
@@ -31,8 +33,9 @@ TEST(Comparison, ARunAgainstItselfHasNotChanged) {
   for (const PlannerChange& change : same.changes) {
     pairs += change.n;
     EXPECT_EQ(change.gained + change.lost, 0);
-    EXPECT_EQ(change.of("goal_reached_share").value, 0.0);
-    EXPECT_EQ(change.of("path_ratio_median").value, 0.0);
+    EXPECT_EQ(change.of(same, "goal_reached_share").value, 0.0);
+    EXPECT_EQ(change.of(same, "path_ratio_median").value, 0.0);
+    EXPECT_EQ(change.of(same, "path_ratio_median").p, 1.0);
   }
   EXPECT_EQ(pairs, static_cast<std::int64_t>(run.records.size()));
 }
@@ -55,10 +58,10 @@ TEST(Comparison, CountsWhatWasGainedAndLostAndMeasuresPathsOfPairsThatArrivedBot
   EXPECT_EQ(change.reached_now.successes, 3);
   EXPECT_EQ(change.gained, 1);
   EXPECT_EQ(change.lost, 1);
-  EXPECT_EQ(change.of("goal_reached_share").value, 0.0);
-  EXPECT_EQ(change.of("path_ratio_median").n, 2);
-  EXPECT_NEAR(change.of("path_ratio_median").value, 0.1, 1e-12);
-  EXPECT_NEAR(change.of("state_checks_median").value, 0.5, 1e-12);
+  EXPECT_EQ(change.of(comparison, "goal_reached_share").value, 0.0);
+  EXPECT_EQ(change.of(comparison, "path_ratio_median").n, 2);
+  EXPECT_NEAR(change.of(comparison, "path_ratio_median").value, 0.1, 1e-12);
+  EXPECT_NEAR(change.of(comparison, "state_checks_median").value, 0.5, 1e-12);
   ASSERT_EQ(comparison.outcomes.size(), 2U);
   EXPECT_EQ(comparison.outcomes[0].outcome_before, collision);
   EXPECT_EQ(comparison.outcomes[0].now.outcome, goal_reached);
@@ -83,11 +86,82 @@ TEST(Comparison, AnOnePercentRegressionOfEveryTrialIsTold) {
     before.push_back(trial("a", i, Outcome::goal_reached, 1.0 + 0.05 * i));
     now.push_back(trial("a", i, Outcome::goal_reached, 1.01 * (1.0 + 0.05 * i)));
   }
-  const PlannerChange change = compare_runs(now, before).changes.front();
-  EXPECT_GT(change.of("path_ratio_median").interval.low, 0.0);
-  EXPECT_NEAR(change.of("path_ratio_median").value, 0.01, 1e-12);
-  EXPECT_THAT(comparison_markdown(compare_runs(now, before)),
-              HasSubstr("+1.0 % [+1.0, +1.0] over 20"));
+  const RunComparison comparison = compare_runs(now, before);
+  const PlannerChange& change = comparison.changes.front();
+  EXPECT_GT(change.of(comparison, "path_ratio_median").interval.low, 0.0);
+  EXPECT_NEAR(change.of(comparison, "path_ratio_median").value, 0.01, 1e-12);
+  EXPECT_EQ(change.of(comparison, "path_ratio_median").verdict, ChangeVerdict::worse);
+  EXPECT_TRUE(comparison.worse());
+  EXPECT_FALSE(compare_runs(now, before, {.tolerance = 0.02}).worse());
+  EXPECT_THAT(
+      comparison_markdown(comparison),
+      HasSubstr("| path ratio, median | 20 | +1.0 % | [+1.0, +1.0] | bootstrap over pairs |"));
+}
+
+double uniform(std::mt19937_64& engine) { return static_cast<double>(engine() >> 11U) * 0x1p-53; }
+
+// 40 worlds that are hard or easy, flown by planners of one skill that only luck tells apart.
+std::vector<RunRecord> lucky_run(std::uint64_t seed, double share) {
+  std::mt19937_64 engine(seed);
+  std::vector<RunRecord> run;
+  for (int i = 0; i < 40; ++i) {
+    const bool arrives = uniform(engine) < share;
+    run.push_back(trial("a", i, arrives ? Outcome::goal_reached : Outcome::timeout,
+                        1.1 + 0.01 * i + 0.1 * uniform(engine)));
+    run.back().world_id = std::to_string(i);
+    run.back().duration_s = 10 + 3 * uniform(engine);
+    run.back().state_checks = 100 + static_cast<std::int64_t>(engine() % 100);
+  }
+  return run;
+}
+
+TEST(Comparison, OfLuckAloneRarelyCallsAnythingBetterOrWorse) {
+  ComparisonConfig config;
+  config.bootstrap.resamples = 500;
+  int called = 0;
+  for (std::uint64_t seed = 0; seed < 100; ++seed) {
+    const RunComparison comparison =
+        compare_runs(lucky_run(2 * seed, 0.7), lucky_run(2 * seed + 1, 0.7), config);
+    for (const Change& change : comparison.changes.front().changes)
+      if (change.verdict != ChangeVerdict::undecided) {
+        ++called;
+        break;
+      }
+  }
+  EXPECT_LE(called, 10) << "5 of 100 are expected at most";
+}
+
+TEST(Comparison, SeesAPlannerThatArrivesLessOftenAndResamplesWorldsWhereTheyAreMany) {
+  const RunComparison comparison = compare_runs(lucky_run(1, 0.3), lucky_run(2, 1.0));
+  const PlannerChange& change = comparison.changes.front();
+  EXPECT_EQ(change.of(comparison, "goal_reached_share").verdict, ChangeVerdict::worse);
+  EXPECT_TRUE(change.of(comparison, "state_checks_median").over_worlds);
+  EXPECT_EQ(change.of(comparison, "state_checks_median").verdict, ChangeVerdict::undecided);
+  const RunComparison back = compare_runs(lucky_run(2, 1.0), lucky_run(1, 0.3));
+  EXPECT_FALSE(back.worse()) << "more arrivals are not worse";
+}
+
+TEST(Comparison, FewPairsSayNothingHoweverMuchTheyDiffer) {
+  using enum Outcome;
+  std::vector<RunRecord> before, now;
+  for (int i = 0; i < 5; ++i) {
+    before.push_back(trial("a", i, goal_reached, 1.0));
+    now.push_back(trial("a", i, goal_reached, 9.0));
+  }
+  EXPECT_FALSE(compare_runs(now, before).worse());
+}
+
+TEST(Comparison, CountsThePairsThatFlewDifferently) {
+  using enum Outcome;
+  const std::vector<RunRecord> before{trial("a", 0, goal_reached, 1), trial("a", 1, timeout, 0)};
+  std::vector<RunRecord> now = before;
+  now[1].state_checks = 7;
+  ComparisonConfig config;
+  config.same_flight = [](const RunRecord& a, const RunRecord& b) {
+    return a.state_checks == b.state_checks;
+  };
+  EXPECT_EQ(compare_runs(now, before, config).changed, 1);
+  EXPECT_EQ(compare_runs(before, before, config).changed, 0);
 }
 
 }  // namespace

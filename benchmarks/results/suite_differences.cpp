@@ -1,0 +1,97 @@
+#include "voronaut/benchmarks/results/suite_differences.h"
+
+#include <algorithm>
+#include <map>
+#include <tuple>
+
+#include <nlohmann/json.hpp>
+
+#include "voronaut/benchmarks/results/manifest.h"
+#include "voronaut/environments/config/nearest_name.h"
+
+namespace voronaut {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+using Settings = std::map<std::string, std::string>;
+
+// Lists are of items with a name.
+std::string name_of(const Json& item) {
+  for (const char* key : {"label", "name"})
+    if (item.is_object() && item.contains(key)) return item[key].get<std::string>();
+  return {};
+}
+
+void flatten(const Json& json, const std::string& path, Settings& settings) {
+  const auto below = [&](const std::string& key) { return path.empty() ? key : path + "." + key; };
+  if (json.is_object()) {
+    for (const auto& [key, value] : json.items()) flatten(value, below(key), settings);
+  } else if (json.is_array()) {
+    for (const Json& item : json) flatten(item, below(name_of(item)), settings);
+  } else {
+    settings[path] = json.is_string() ? json.get<std::string>() : json.dump();
+  }
+}
+
+Settings settings_of(const SuiteConfig& suite) {
+  Settings settings;
+  flatten(defining_json(suite), "", settings);
+  return settings;
+}
+
+bool is_below(const std::string& key, const std::string& path) {
+  return key == path || key.starts_with(path + ".");
+}
+
+// "planners.RRTConnect" of a key in a list's item.
+bool item_is_missing(const std::string& key, const Settings& settings) {
+  for (const char* list : {"scenarios.", "vehicles.", "planners."}) {
+    if (!key.starts_with(list)) continue;
+    const std::size_t end = key.find('.', std::string(list).size());
+    const std::string item = key.substr(0, end) + ".";
+    const auto next = settings.lower_bound(item);
+    return next == settings.end() || !next->first.starts_with(item);
+  }
+  return false;
+}
+
+}  // namespace
+
+std::vector<std::string> suite_differences(const SuiteConfig& before, const SuiteConfig& now,
+                                           const std::vector<std::string>& across) {
+  const Settings there = settings_of(before);
+  const Settings here = settings_of(now);
+  std::vector<std::string> differences;
+  const auto compare = [&](const std::string& key, const std::string* a, const std::string* b) {
+    const bool meant = std::any_of(across.begin(), across.end(),
+                                   [&](const std::string& path) { return is_below(key, path); });
+    if (!meant)
+      differences.push_back(key + ": " + (a ? in_quotes(*a) : "nothing") + ", then " +
+                            (b ? in_quotes(*b) : "nothing"));
+  };
+  for (const auto& [key, value] : there) {
+    const auto other = here.find(key);
+    if (other == here.end() ? !item_is_missing(key, here) : other->second != value)
+      compare(key, &value, other == here.end() ? nullptr : &other->second);
+  }
+  for (const auto& [key, value] : here)
+    if (!there.contains(key) && !item_is_missing(key, there)) compare(key, nullptr, &value);
+  return differences;
+}
+
+std::string first_other_world(const std::vector<RunRecord>& before,
+                              const std::vector<RunRecord>& now) {
+  std::map<std::tuple<std::string, std::int64_t>, std::string> worlds;
+  for (const RunRecord& r : before)
+    if (!r.world_id.empty()) worlds.emplace(std::tuple(r.scenario, r.repetition), r.world_id);
+  for (const RunRecord& r : now) {
+    const auto other = worlds.find({r.scenario, r.repetition});
+    if (!r.world_id.empty() && other != worlds.end() && other->second != r.world_id)
+      return "scenario " + in_quotes(r.scenario) + ", repetition " + std::to_string(r.repetition) +
+             ",";
+  }
+  return {};
+}
+
+}  // namespace voronaut
