@@ -273,7 +273,7 @@ void ChildSeries::interpret_end(int wait_status) {
   }
 }
 
-void ChildProcess::interpret_status(int wait_status, std::string last_message) {
+void ChildSeries::interpret_status(int wait_status, std::string last_message) {
   using End = ChildReport::End;
   if (WIFEXITED(wait_status)) {
     report_.end = End::exited;
