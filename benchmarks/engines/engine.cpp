@@ -44,6 +44,7 @@ std::string ShardedRun::shard_result(const std::string& number) const {
 
 std::vector<std::string> engine_names() {
   std::vector<std::string> names;
+  names.reserve(std::size(kEngines));
   for (const Engine& engine : kEngines) names.emplace_back(engine.name);
   return names;
 }

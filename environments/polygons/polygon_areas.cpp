@@ -27,8 +27,7 @@ namespace {
 namespace bg = boost::geometry;
 using Point = bg::model::d2::point_xy<double>;
 using Area = bg::model::polygon<Point, false, false>;  // counter-clockwise, open
-using Areas = bg::model::multi_polygon<Area>;  // all that is cut or united: each pair of types
-                                               // costs the compiler seconds
+using Areas = bg::model::multi_polygon<Area>;
 using Box = bg::model::box<Point>;
 
 // Cuts leave slivers of rounding, which no body meets.
@@ -142,11 +141,12 @@ void cut_holes(const Area& area, std::vector<Polygon>& simple) {
   const double x = (hole.min_corner().x() + hole.max_corner().x()) / 2;
   CutLine line(x);
   const double beyond_m = 1;
-  const Vec2 low(whole.min_corner().x() - beyond_m, whole.min_corner().y() - beyond_m);
-  const Vec2 high(whole.max_corner().x() + beyond_m, whole.max_corner().y() + beyond_m);
-  for (const Bounds& side : {Bounds{low, {x, high.y()}}, Bounds{{x, low.y()}, high}}) {
+  const Point low(whole.min_corner().x() - beyond_m, whole.min_corner().y() - beyond_m);
+  const Point high(whole.max_corner().x() + beyond_m, whole.max_corner().y() + beyond_m);
+  // Against a box the cut is at x; against another polygon Boost's rescaling moves it by 1e-7 m.
+  for (const Box& side : {Box(low, Point(x, high.y())), Box(Point(x, low.y()), high)}) {
     Areas parts;
-    bg::intersection(Areas{area}, Areas{area_of(box(side))}, parts);
+    bg::intersection(area, side, parts);
     for (Area& part : parts) {
       line.snap(part);
       cut_holes(part, simple);
