@@ -241,22 +241,16 @@ struct Commands {
   }
 
   Options chosen() const {
-    if (run_command->parsed()) return run;
-    if (summary_command->parsed()) return summary;
-    if (list_command->parsed()) return list;
-    if (check_command->parsed()) return check;
-    if (replay_command->parsed()) return replay;
-    if (digest_command->parsed()) return digest;
-    if (report_command->parsed()) return report;
-    if (compare_command->parsed()) return compare;
-    if (evidence_command->parsed()) return evidence;
-    if (show_command->parsed()) return show;
-    if (export_command->parsed()) return exported;
-    if (schema_command->parsed()) return schema;
-    if (merge_command->parsed()) return merge;
-    if (status_command->parsed()) return status;
-    if (submit_command->parsed()) return submit;
-    if (cancel_command->parsed()) return cancel;
+    const std::pair<const CLI::App*, Options> all[] = {
+        {run_command, run},       {summary_command, summary}, {list_command, list},
+        {check_command, check},   {replay_command, replay},   {digest_command, digest},
+        {report_command, report}, {compare_command, compare}, {evidence_command, evidence},
+        {show_command, show},     {export_command, exported}, {schema_command, schema},
+        {merge_command, merge},   {status_command, status},   {submit_command, submit},
+        {cancel_command, cancel},
+    };
+    for (const auto& [command, options] : all)
+      if (command->parsed()) return options;
     return plot;
   }
 

@@ -94,6 +94,7 @@ class ProcessPool::Lane {
  private:
   static std::vector<ChildSeries::Task> tasks_of(const std::vector<Job>& jobs) {
     std::vector<ChildSeries::Task> tasks;
+    tasks.reserve(jobs.size());
     for (const Job& job : jobs) tasks.push_back({job.work, job.prepare});
     return tasks;
   }
@@ -146,37 +147,43 @@ std::vector<ProcessPool::Job> ProcessPool::next_jobs(
   return jobs;
 }
 
+void ProcessPool::fill_lanes(const std::function<std::vector<Job>()>& next,
+                             const std::function<bool()>& stopped) {
+  while (lanes_.size() < jobs_ && !stopped()) {
+    std::vector<Job> jobs = next_jobs(next);
+    if (jobs.empty()) return;
+    lanes_.emplace_back(std::move(jobs), limits_, setup_);
+    if (lanes_.back().start_next()) continue;
+    left_over_ = lanes_.back().take_rest();  // somebody was faster than its first child
+    lanes_.pop_back();
+  }
+}
+
+void ProcessPool::wait_for_events(int signal_fd) {
+  std::vector<pollfd> fds{{signal_fd, POLLIN, 0}};
+  auto wake = ChildSeries::Clock::now() + std::chrono::milliseconds(200);
+  for (Lane& lane : lanes_) {
+    fds.push_back({lane.series().output_fd(), POLLIN, 0});
+    fds.push_back({lane.series().verdict_fd(), POLLIN, 0});
+    wake = std::min(wake, lane.series().deadline());
+  }
+  const auto left = std::chrono::ceil<std::chrono::milliseconds>(wake - ChildSeries::Clock::now());
+  poll(fds.data(), fds.size(), static_cast<int>(std::max<std::int64_t>(left.count(), 0)));
+}
+
 ProcessPool::End ProcessPool::run(const std::function<std::vector<Job>()>& next) {
   StopSignals stop;
-  const auto wait = [&] {
-    std::vector<pollfd> fds{{stop.fd(), POLLIN, 0}};
-    auto wake = ChildSeries::Clock::now() + std::chrono::milliseconds(200);
-    for (Lane& lane : lanes_) {
-      fds.push_back({lane.series().output_fd(), POLLIN, 0});
-      fds.push_back({lane.series().verdict_fd(), POLLIN, 0});
-      wake = std::min(wake, lane.series().deadline());
-    }
-    const auto left =
-        std::chrono::ceil<std::chrono::milliseconds>(wake - ChildSeries::Clock::now());
-    poll(fds.data(), fds.size(), static_cast<int>(std::max<std::int64_t>(left.count(), 0)));
-  };
+  const auto stopped = [&stop] { return stop.received(); };
   more_ = true;
   while (true) {
-    while (lanes_.size() < jobs_ && !stop.received()) {
-      std::vector<Job> jobs = next_jobs(next);
-      if (jobs.empty()) break;
-      lanes_.emplace_back(std::move(jobs), limits_, setup_);
-      if (lanes_.back().start_next()) continue;
-      left_over_ = lanes_.back().take_rest();  // somebody was faster than its first child
-      lanes_.pop_back();
-    }
-    if (stop.received()) {
+    fill_lanes(next, stopped);
+    if (stopped()) {
       lanes_.clear();
       return stop.end();
     }
     if (lanes_.empty()) return End::all_done;
-    wait();
-    attend([&stop] { return stop.received(); });
+    wait_for_events(stop.fd());
+    attend(stopped);
     if (tick_) tick_();
   }
 }

@@ -41,6 +41,9 @@ class ProcessPool {
 
  private:
   class Lane;
+  void fill_lanes(const std::function<std::vector<Job>()>& next,
+                  const std::function<bool()>& stopped);
+  void wait_for_events(int signal_fd);
   void attend(const std::function<bool()>& stopped);
   std::vector<Job> next_jobs(const std::function<std::vector<Job>()>& next);
 

@@ -221,7 +221,7 @@ std::string suite_schema(const FileKeys& keys) {
   put(suite, "vehicles", list_of(vehicle_schema(keys)));
   put(suite, "planners", list_of(planner_schema(keys)));
   put(suite, "acceptance", {{"type", "array"}, {"items", object_schema(keys.criterion)}});
-  return titled("Voronaut suite", std::move(suite)).dump(1) + "\n";
+  return titled("Voronaut suite", suite).dump(1) + "\n";
 }
 
 std::string scenario_schema(const FileKeys& keys) {

@@ -49,6 +49,18 @@ bool is_file_of(int fd, const std::filesystem::path& path) {
   throw std::runtime_error(file.string() + ": cannot be locked: " + std::strerror(errno));
 }
 
+// Who has the file of a descriptor locked, which is closed then; empty if nobody has and it is
+// ours.
+std::string holder_of(int fd, const std::filesystem::path& file) {
+  if (flock(fd, LOCK_EX | LOCK_NB) == 0) return {};
+  const int reason = errno;
+  const std::string holder = text_in(fd);
+  close(fd);
+  errno = reason;
+  if (reason != EWOULDBLOCK) fail(file);
+  return holder.empty() ? "another process" : holder;
+}
+
 }  // namespace
 
 FolderLock::FolderLock(const std::filesystem::path& folder, std::chrono::seconds patience)
@@ -57,22 +69,16 @@ FolderLock::FolderLock(const std::filesystem::path& folder, std::chrono::seconds
   while (true) {
     fd_ = open(file_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0644);
     if (fd_ < 0) fail(file_);
-    if (flock(fd_, LOCK_EX | LOCK_NB) != 0) {
-      const int reason = errno;
-      const std::string holder = text_in(fd_);
-      close(fd_);
-      errno = reason;
-      if (reason != EWOULDBLOCK) fail(file_);
-      if (std::chrono::steady_clock::now() < deadline) {
-        std::this_thread::sleep_for(std::chrono::milliseconds(100));
-        continue;
-      }
-      throw std::invalid_argument(folder.string() + ": in use by " +
-                                  (holder.empty() ? "another process" : holder) +
+    const std::string holder = holder_of(fd_, file_);
+    if (holder.empty()) {
+      if (is_file_of(fd_, file_)) break;
+      close(fd_);  // its holder deleted it between our two calls
+    } else if (std::chrono::steady_clock::now() < deadline) {
+      std::this_thread::sleep_for(std::chrono::milliseconds(100));
+    } else {
+      throw std::invalid_argument(folder.string() + ": in use by " + holder +
                                   "; wait for it or give another --out");
     }
-    if (is_file_of(fd_, file_)) break;
-    close(fd_);  // its holder deleted it between our two calls
   }
   // Who holds it is a help, not the lock: a full disk is no reason to stop here.
   const std::string text = holder_text() + "\n";

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <map>
+#include <set>
 #include <tuple>
 
 #include <nlohmann/json.hpp>
@@ -56,27 +57,32 @@ bool item_is_missing(const std::string& key, const Settings& settings) {
   return false;
 }
 
+std::string words_of(const std::string& key, const Settings& settings) {
+  const auto found = settings.find(key);
+  return found == settings.end() ? "nothing" : in_quotes(found->second);
+}
+
 }  // namespace
 
 std::vector<std::string> suite_differences(const SuiteConfig& before, const SuiteConfig& now,
                                            const std::vector<std::string>& across) {
   const Settings there = settings_of(before);
   const Settings here = settings_of(now);
-  std::vector<std::string> differences;
-  const auto compare = [&](const std::string& key, const std::string* a, const std::string* b) {
-    const bool meant = std::any_of(across.begin(), across.end(),
-                                   [&](const std::string& path) { return is_below(key, path); });
-    if (!meant)
-      differences.push_back(key + ": " + (a ? in_quotes(*a) : "nothing") + ", then " +
-                            (b ? in_quotes(*b) : "nothing"));
+  std::set<std::string> keys;
+  for (const Settings* settings : {&there, &here})
+    for (const auto& [key, value] : *settings) keys.insert(key);
+  const auto is_meant = [&](const std::string& key) {
+    return std::any_of(across.begin(), across.end(),
+                       [&](const std::string& path) { return is_below(key, path); });
   };
-  for (const auto& [key, value] : there) {
-    const auto other = here.find(key);
-    if (other == here.end() ? !item_is_missing(key, here) : other->second != value)
-      compare(key, &value, other == here.end() ? nullptr : &other->second);
+  std::vector<std::string> differences;
+  for (const std::string& key : keys) {
+    if (is_meant(key) || item_is_missing(key, there) || item_is_missing(key, here)) continue;
+    const std::string before_words = words_of(key, there);
+    const std::string now_words = words_of(key, here);
+    if (before_words != now_words)
+      differences.push_back(key + ": " + before_words + ", then " + now_words);
   }
-  for (const auto& [key, value] : here)
-    if (!there.contains(key) && !item_is_missing(key, there)) compare(key, nullptr, &value);
   return differences;
 }
 

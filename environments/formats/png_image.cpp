@@ -96,6 +96,14 @@ class PngReader {
   char problem_[100] = "no memory";
 };
 
+// Of one pixel; a single grey counts as red, green and blue.
+std::uint32_t sum_of_colours(const PngReader& png, std::size_t first, std::size_t colours) {
+  if (colours == 1) return 3 * png.value(first);
+  std::uint32_t sum = 0;
+  for (std::size_t c = 0; c < colours; ++c) sum += png.value(first + c);
+  return sum;
+}
+
 // Sums of the channels, so that no rounding comes before map_server's own.
 GreyImage grey_image(const PngReader& png, PngAlpha alpha) {
   GreyImage image;
@@ -104,15 +112,13 @@ GreyImage grey_image(const PngReader& png, PngAlpha alpha) {
   const auto channels = static_cast<std::size_t>(png.channels());
   const bool has_alpha = channels == 2 || channels == 4;
   const std::size_t colours = has_alpha ? channels - 1 : channels;
-  const std::uint32_t grey_weight = colours == 1 ? 3 : 1;
   const std::uint32_t largest = png.wide() ? 65535 : 255;
   const bool adds_alpha = has_alpha && alpha == PngAlpha::channel;
   image.white = static_cast<int>(largest) * (adds_alpha ? 4 : 3);
   const std::size_t pixels = std::size_t(image.columns) * std::size_t(image.rows);
   image.values.reserve(pixels);
   for (std::size_t i = 0; i < pixels; ++i) {
-    std::uint32_t sum = 0;
-    for (std::size_t c = 0; c < colours; ++c) sum += grey_weight * png.value(i * channels + c);
+    const std::uint32_t sum = sum_of_colours(png, i * channels, colours);
     const std::uint32_t opacity = has_alpha ? png.value(i * channels + colours) : largest;
     image.values.push_back(adds_alpha ? sum + opacity : sum);
     if (has_alpha && !adds_alpha) image.unknown.push_back(opacity != largest);

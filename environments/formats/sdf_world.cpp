@@ -102,18 +102,18 @@ class WorldReader {
                  const std::optional<XmlElement>& state) {
     const SdfFrames frames(model);
     const Eigen::Vector3d scale = state_scale(state);
-    for (const XmlElement& link : model.children("link")) {
+    const auto add_body = [&](const XmlElement& link, const XmlElement& collision) {
+      const auto body = read_body(collision, scale);
+      if (!body) return;
       const auto moved = state_pose(named_child(state, "link", link.attribute("name")));
-      const auto T_world_base = [&](const XmlElement& collision) {
-        const std::string base = pose_frame(collision);
-        if (!base.empty()) return T_world_model * frames.frame(base, collision);
-        return moved ? *moved : T_world_model * frames.pose_of(link);
-      };
-      for (const XmlElement& collision : link.children("collision"))
-        if (const auto body = read_body(collision, scale))
-          add_footprint(*body, T_world_base(collision) * read_pose(collision), options_, collision,
-                        read_);
-    }
+      const std::string base = pose_frame(collision);
+      const SdfPose T_world_base = !base.empty()
+                                       ? T_world_model * frames.frame(base, collision)
+                                       : (moved ? *moved : T_world_model * frames.pose_of(link));
+      add_footprint(*body, T_world_base * read_pose(collision), options_, collision, read_);
+    };
+    for (const XmlElement& link : model.children("link"))
+      for (const XmlElement& collision : link.children("collision")) add_body(link, collision);
     for (const XmlElement& inner : model.children("model")) {
       if (!has_body(inner)) continue;
       const auto inner_state = named_child(state, "model", inner.attribute("name"));

@@ -256,7 +256,8 @@ TEST_F(CommandLine, RunsASuiteAndAnswersQuestionsAboutIt) {
   EXPECT_EQ(voronaut("report r --format csv").out, csv);
   EXPECT_THAT(voronaut("report r --format md").out, HasSubstr("| RRTConnect"));
   EXPECT_EQ(voronaut("report r --format md -o r.md --compare voronaut-results/open").out, "r.md\n");
-  EXPECT_THAT(text_of(path("r.md")), HasSubstr("0 trials end differently"));
+  EXPECT_THAT(text_of(path("r.md")),
+              HasSubstr("0 of 2 trials flew differently, 0 end differently"));
   for (const char* wrong : {"report r --format pdf", "report r --compare nowhere",
                             "report r --format csv --compare r"}) {
     const Answer refused = voronaut(wrong);
