@@ -101,13 +101,15 @@ ShapeIndex::CellLists ShapeIndex::list(ForEach&& each) const {
   return lists;
 }
 
+void ShapeIndex::add_edges(const Polygon& polygon) {
+  const auto first = static_cast<std::uint32_t>(edges_.size());
+  for (std::size_t i = 0; i < polygon.vertices.size(); ++i) edges_.push_back(edge(polygon, i));
+  solids_.push_back({first, static_cast<std::uint32_t>(edges_.size())});
+}
+
 ShapeIndex::ShapeIndex(const Shapes& shapes, double cell_m)
     : circles_(distinct(shapes.circles)), edges_(shapes.segments) {
-  for (const Polygon& polygon : shapes.polygons) {
-    const auto first = static_cast<std::uint32_t>(edges_.size());
-    for (std::size_t i = 0; i < polygon.vertices.size(); ++i) edges_.push_back(edge(polygon, i));
-    solids_.push_back({first, static_cast<std::uint32_t>(edges_.size())});
-  }
+  for (const Polygon& polygon : shapes.polygons) add_edges(polygon);
   if (shapes.empty()) return;
   lay_out_cells(cell_m);
 

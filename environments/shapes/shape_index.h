@@ -66,6 +66,7 @@ class ShapeIndex {
   template <class OnCircle, class OnEdge>
   void call(std::uint32_t id, OnCircle& circle, OnEdge& edge) const;
   double solid_distance(const Solid& solid, const Vec2& p) const;
+  void add_edges(const Polygon& polygon);
   double nearest_in_cell(std::size_t cell, const Vec2& p) const;
   double nearest_in_ring(int column, int row, int ring, const Vec2& p) const;
 

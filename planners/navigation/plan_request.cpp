@@ -31,6 +31,12 @@ Path led_on_to_goal(Path path, const PlanningProblem& problem) {
   return path;
 }
 
+void forget_last_question(ob::Planner& planner) {
+  // Whether it is set up tells nothing: FMT and BFMT of OMPL 1.5.2 never say so.
+  const bool asked_before = planner.getProblemDefinition() != nullptr;
+  if (asked_before) planner.clear();
+}
+
 // Everything of the plan but its path.
 Plan answer_without_path(const ob::PlannerStatus& solved, SolveEnd end, const ob::Planner& planner,
                          const std::string& flaw) {
@@ -52,9 +58,7 @@ Plan ask_for_plan(ob::Planner& planner, const PlannerTraits& traits, PlanningPro
                   const PlanningBudget& budget) {
   if (!traits.plans_on_every_scan) {
     if (!problem.goal_has_place()) return {PlanStatus::infeasible, {}, {}, {}, SolveEnd::planner};
-    // Whether it is set up tells nothing: FMT and BFMT of OMPL 1.5.2 never say so.
-    const bool asked_before = planner.getProblemDefinition() != nullptr;
-    if (asked_before) planner.clear();
+    forget_last_question(planner);
   }
   planner.setProblemDefinition(problem.definition());
   const auto [solved, end] = solve_within(planner, problem.meter(budget));
