@@ -14,6 +14,12 @@ namespace voronaut {
 
 namespace {
 
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+constexpr bool kUnderSanitizer = true;
+#else
+constexpr bool kUnderSanitizer = false;
+#endif
+
 // Allocates and never frees until allocations come from behind the heap's old end, large gaps
 // first. A bound on their number ends it where the allocator is another.
 void fill_gaps_of_heap() {
@@ -69,10 +75,9 @@ void map_code() {
 void warm_memory() {
   std::once_flag flag;
   std::call_once(flag, [] {});
-#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
+  if (kUnderSanitizer) return;  // whose allocator and memory are not these
   fill_gaps_of_heap();
   map_code();
-#endif
 }
 
 }  // namespace voronaut
