@@ -74,7 +74,7 @@ void map_code() {
 
 void warm_memory() {
   std::once_flag flag;
-  std::call_once(flag, [] {});
+  std::call_once(flag, [] {});  // the loader looks it up here, not in each child
   if (kUnderSanitizer) return;  // whose allocator and memory are not these
   fill_gaps_of_heap();
   map_code();
