@@ -1,70 +1,14 @@
 #include "voronaut/benchmarks/isolation/process_pool.h"
 
 #include <algorithm>
-#include <cerrno>
-#include <csignal>
 #include <iterator>
-#include <system_error>
 #include <utility>
 #include <vector>
 
 #include <poll.h>
 #include <sched.h>
-#include <sys/signalfd.h>
-#include <unistd.h>
 
 namespace voronaut {
-
-namespace {
-
-// The signals that ask a run to end become readable instead of deadly, as long as this lives.
-class StopSignals {
- public:
-  StopSignals() {
-    sigemptyset(&watched_);
-    sigaddset(&watched_, SIGINT);
-    sigaddset(&watched_, SIGTERM);
-    sigaddset(&watched_, SIGUSR1);
-    sigprocmask(SIG_BLOCK, &watched_, &before_);
-    fd_ = signalfd(-1, &watched_, SFD_CLOEXEC | SFD_NONBLOCK);
-    if (fd_ < 0) {
-      const std::error_code why(errno, std::generic_category());
-      sigprocmask(SIG_SETMASK, &before_, nullptr);
-      throw std::system_error(why, "watching for signals");
-    }
-  }
-  StopSignals(const StopSignals&) = delete;
-  StopSignals& operator=(const StopSignals&) = delete;
-  ~StopSignals() {
-    received();
-    close(fd_);
-    sigprocmask(SIG_SETMASK, &before_, nullptr);
-  }
-
-  int fd() const { return fd_; }
-
-  bool received() {
-    signalfd_siginfo info;
-    while (read(fd_, &info, sizeof info) == static_cast<ssize_t>(sizeof info)) {
-      received_ = true;
-      interrupted_ = interrupted_ || info.ssi_signo == SIGINT;
-    }
-    return received_;
-  }
-
-  ProcessPool::End end() const {
-    return interrupted_ ? ProcessPool::End::interrupted : ProcessPool::End::stopped;
-  }
-
- private:
-  sigset_t watched_{};
-  sigset_t before_{};
-  int fd_ = -1;
-  bool received_ = false;
-  bool interrupted_ = false;
-};
-
-}  // namespace
 
 // Jobs that came together, and the series of children that does them.
 class ProcessPool::Lane {
@@ -104,9 +48,10 @@ class ProcessPool::Lane {
   ChildSeries series_;
 };
 
-ProcessPool::ProcessPool(std::size_t jobs, const ProcessLimits& limits, ChildSeries::Setup setup,
-                         std::function<void()> tick)
-    : jobs_(std::max<std::size_t>(jobs, 1)),
+ProcessPool::ProcessPool(StopSignals& stop, std::size_t jobs, const ProcessLimits& limits,
+                         ChildSeries::Setup setup, std::function<void()> tick)
+    : stop_(stop),
+      jobs_(std::max<std::size_t>(jobs, 1)),
       limits_(limits),
       setup_(std::move(setup)),
       tick_(std::move(tick)) {}
@@ -116,7 +61,7 @@ ProcessPool::~ProcessPool() = default;
 // Takes care of every child once; those that have ended are handed over, and the next ones of their
 // series started. After a signal nothing is handed over: who sends it to all processes of a job has
 // ended them too.
-void ProcessPool::attend(const std::function<bool()>& stopped) {
+void ProcessPool::attend() {
   for (auto lane = lanes_.begin(); lane != lanes_.end();) {
     ChildSeries& series = lane->series();
     series.read_output();
@@ -125,7 +70,7 @@ void ProcessPool::attend(const std::function<bool()>& stopped) {
       ++lane;
       continue;
     }
-    if (stopped()) return;
+    if (stop_.received()) return;
     lane->hand_over();
     if (lane->start_next()) {
       ++lane;
@@ -147,9 +92,8 @@ std::vector<ProcessPool::Job> ProcessPool::next_jobs(
   return jobs;
 }
 
-void ProcessPool::fill_lanes(const std::function<std::vector<Job>()>& next,
-                             const std::function<bool()>& stopped) {
-  while (lanes_.size() < jobs_ && !stopped()) {
+void ProcessPool::fill_lanes(const std::function<std::vector<Job>()>& next) {
+  while (lanes_.size() < jobs_ && !stop_.received()) {
     std::vector<Job> jobs = next_jobs(next);
     if (jobs.empty()) return;
     lanes_.emplace_back(std::move(jobs), limits_, setup_);
@@ -159,8 +103,8 @@ void ProcessPool::fill_lanes(const std::function<std::vector<Job>()>& next,
   }
 }
 
-void ProcessPool::wait_for_events(int signal_fd) {
-  std::vector<pollfd> fds{{signal_fd, POLLIN, 0}};
+void ProcessPool::wait_for_events() {
+  std::vector<pollfd> fds{{stop_.fd(), POLLIN, 0}};
   auto wake = ChildSeries::Clock::now() + std::chrono::milliseconds(200);
   for (Lane& lane : lanes_) {
     fds.push_back({lane.series().output_fd(), POLLIN, 0});
@@ -172,18 +116,16 @@ void ProcessPool::wait_for_events(int signal_fd) {
 }
 
 ProcessPool::End ProcessPool::run(const std::function<std::vector<Job>()>& next) {
-  StopSignals stop;
-  const auto stopped = [&stop] { return stop.received(); };
   more_ = true;
   while (true) {
-    fill_lanes(next, stopped);
-    if (stopped()) {
+    fill_lanes(next);
+    if (stop_.received()) {
       lanes_.clear();
-      return stop.end();
+      return stop_.interrupted() ? End::interrupted : End::stopped;
     }
     if (lanes_.empty()) return End::all_done;
-    wait_for_events(stop.fd());
-    attend(stopped);
+    wait_for_events();
+    attend();
     if (tick_) tick_();
   }
 }

@@ -6,11 +6,12 @@
 #include <vector>
 
 #include "voronaut/benchmarks/isolation/child_process.h"
+#include "voronaut/benchmarks/isolation/stop_signals.h"
 
 namespace voronaut {
 
-// Runs jobs in child processes, several at once. SIGINT, SIGTERM and SIGUSR1 stop it in order:
-// nothing more is started and what is in flight is dropped.
+// Runs jobs in child processes, several at once. Stop signals end it in order: nothing more is
+// started and what is in flight is dropped.
 class ProcessPool {
  public:
   struct Job {
@@ -27,8 +28,8 @@ class ProcessPool {
   };
 
   // jobs >= 1 children at once. `tick` is called between events, at least every 0.2 s.
-  ProcessPool(std::size_t jobs, const ProcessLimits& limits, ChildSeries::Setup setup,
-              std::function<void()> tick);
+  ProcessPool(StopSignals& stop, std::size_t jobs, const ProcessLimits& limits,
+              ChildSeries::Setup setup, std::function<void()> tick);
   ~ProcessPool();
 
   // Asks `next` for jobs whenever a place is free, until it has none; those that come together are
@@ -41,12 +42,12 @@ class ProcessPool {
 
  private:
   class Lane;
-  void fill_lanes(const std::function<std::vector<Job>()>& next,
-                  const std::function<bool()>& stopped);
-  void wait_for_events(int signal_fd);
-  void attend(const std::function<bool()>& stopped);
+  void fill_lanes(const std::function<std::vector<Job>()>& next);
+  void wait_for_events();
+  void attend();
   std::vector<Job> next_jobs(const std::function<std::vector<Job>()>& next);
 
+  StopSignals& stop_;
   std::size_t jobs_;
   ProcessLimits limits_;
   ChildSeries::Setup setup_;

@@ -4,7 +4,8 @@
 #include "voronaut/benchmarks/suite/suite_trials.h"
 
 // What a scenario makes the program compute before anything flies, done in a child first: whatever
-// that does to its process becomes rows of the trials concerned, and a run goes on.
+// that does to its process becomes rows of the trials concerned, and a run goes on. What somebody
+// killed is done once more.
 namespace voronaut {
 
 // `length` in a child; std::runtime_error says how that ended, where it brought no length.

@@ -86,13 +86,14 @@ constexpr const char* kTookTheRunner =
 class SuiteRun {
  public:
   SuiteRun(const SuiteConfig& suite, const FlyTrial& fly, ShortestReferences& references,
-           ResultStore& store, Progress& progress, const RunShare& share)
+           ResultStore& store, Progress& progress, const RunShare& share, StopSignals& stop)
       : suite_(suite),
         fly_(fly),
         references_(references),
         store_(store),
         progress_(progress),
         share_(share),
+        stop_(stop),
         marks_(store.file().string() + "-in-flight"),
         trials_(suite, rehearse_in_child(), share.shard) {}
 
@@ -140,9 +141,9 @@ class SuiteRun {
         ++report.stored;
         progress_.trial_stored();
         marks_.stored(spec.trial_id);
-      } else if (!planned->refusal.empty()) {
-        keep({record_of_failure(spec, Outcome::invalid, planned->refusal), {}});
-      } else if (const std::string why = add_references(spec); !why.empty()) {
+      } else if (const std::string why = why_not(*planned); !why.empty()) {
+        // Who sends a signal to all processes of a job has ended those that made the world, too.
+        if (stop_.received()) return std::nullopt;
         keep({record_of_failure(spec, Outcome::invalid, why), {}});
       } else if (suspicion == FlightMarks::Suspicion::culprit) {
         keep({record_of_failure(spec, Outcome::crash, kTookTheRunner), {}});
@@ -157,10 +158,11 @@ class SuiteRun {
     return std::nullopt;
   }
 
-  // Why there are none, empty if there are.
-  std::string add_references(TrialSpec& spec) {
+  // Gives the trial its references. Why it cannot be flown; empty if it can.
+  std::string why_not(PlannedTrial& planned) {
+    if (!planned.refusal.empty()) return planned.refusal;
     try {
-      references_.add_to(spec);
+      references_.add_to(planned.spec);
       return {};
     } catch (const std::runtime_error& error) {
       return error.what();
@@ -207,6 +209,7 @@ class SuiteRun {
   ResultStore& store_;
   Progress& progress_;
   const RunShare& share_;
+  StopSignals& stop_;
   FlightMarks marks_;
   SuiteTrials trials_;
   std::size_t taken_ = 0;  // of trials_
@@ -219,14 +222,15 @@ class SuiteRun {
 RunReport run_suite(const SuiteConfig& suite, const FlyTrial& fly, std::size_t jobs,
                     ShortestReferences& references, ResultStore& store, Progress& progress,
                     const RunShare& share) {
-  SuiteRun run(suite, fly, references, store, progress, share);
+  StopSignals stop;
+  SuiteRun run(suite, fly, references, store, progress, share, stop);
   const auto tick = [&] {
     store.flush_when_due();
     progress.tick(ChildProcess::Clock::now());
   };
   const ChildProcess::Setup setup{.read_only = {store.file().parent_path()}};
-  ProcessPool together(jobs, suite.limits.process, setup, tick);
-  ProcessPool alone(1, suite.limits.process, setup, tick);
+  ProcessPool together(stop, jobs, suite.limits.process, setup, tick);
+  ProcessPool alone(stop, 1, suite.limits.process, setup, tick);
   auto end = together.run([&] { return run.next_share(jobs); });
   if (end == ProcessPool::End::all_done) end = alone.run([&] { return run.next_again(); });
   run.report.interrupted = end == ProcessPool::End::interrupted;

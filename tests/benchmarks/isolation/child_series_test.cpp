@@ -175,12 +175,24 @@ TEST_P(Series, EndsWithAChildThatLeavesSharedMemoryBehind) {
   }
 }
 
+TEST(ProcessPool, HearsASignalThatCameBeforeItRan) {
+  StopSignals stop;
+  kill(getpid(), SIGUSR1);
+  ProcessPool pool(stop, 1, kGenerous, {.namespaces = false}, nullptr);
+  EXPECT_EQ(pool.run([]() -> std::vector<ProcessPool::Job> {
+    ADD_FAILURE();
+    return {};
+  }),
+            ProcessPool::End::stopped);
+}
+
 TEST(ProcessPool, DoesAllJobsThoughSeriesBreakAndTellsWhenEachStarts) {
   constexpr std::size_t kJobs = 30;
   std::vector<int> started(kJobs, 0);
   std::vector<std::string> results(kJobs);
   std::size_t next = 0;
-  ProcessPool pool(2, kGenerous, {.namespaces = false}, nullptr);
+  StopSignals stop;
+  ProcessPool pool(stop, 2, kGenerous, {.namespaces = false}, nullptr);
   const auto end = pool.run([&] {
     std::vector<ProcessPool::Job> share;
     for (; share.size() < 7 && next < kJobs; ++next) {

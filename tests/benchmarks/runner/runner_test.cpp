@@ -326,6 +326,50 @@ TEST(Runner, MakesRowsOfAWorldThatEndsTheProcessThatMeasuresItAndGoesOn) {
   }
 }
 
+// The next call in a child of this process kills the child, later ones do not.
+class OneShot {
+ public:
+  void fire() const {
+    if (std::filesystem::exists(note_)) return;
+    std::ofstream(note_).close();
+    kill(getpid(), SIGTERM);
+  }
+
+ private:
+  TemporaryFolder folder_;
+  std::filesystem::path note_ = folder_.path() / "fired";
+};
+
+TEST(Runner, KeepsNoRowOfAWorldThatWasEndedTogetherWithTheRun) {
+  const TemporaryFolder folder;
+  ShortestReferences references([](const Scenario&, double) -> double {
+    kill(getpid(), SIGTERM);
+    throw std::runtime_error("ended by SIGTERM");
+  });
+  std::ostringstream out;
+  const SuiteConfig suite = small_suite("requeued", kCalm);
+  Progress progress(out, false, 6, std::chrono::steady_clock::now());
+  ResultStore store = ResultStore::create(folder.path() / "results.db");
+  EXPECT_TRUE(run_suite(suite, calm(), 1, references, store, progress).stopped);
+  EXPECT_EQ(store.records().size(), 0U);
+}
+
+TEST(References, AreMeasuredOnceMoreWhereSomebodyKilledWhoDid) {
+  const OneShot somebody;
+  const auto length = isolated_length([&](const Scenario&, double radius_m) {
+    somebody.fire();
+    return radius_m;
+  });
+  EXPECT_EQ(length({}, 0.25), 0.25);
+}
+
+TEST(Rehearsal, IsDoneOnceMoreWhereSomebodyKilledIt) {
+  const OneShot somebody;
+  const SuiteTrials::Rehearse rehearse = rehearse_in_child();
+  EXPECT_EQ(rehearse([&] { somebody.fire(); }), "");
+  EXPECT_NE(rehearse([] { kill(getpid(), SIGTERM); }), "") << "each time";
+}
+
 TEST(Rehearsal, WarnsOfWhatEndsItsProcessAndOfNothingElse) {
   const SuiteTrials::Rehearse rehearse = rehearse_in_child();
   EXPECT_EQ(rehearse([] {}), "");
