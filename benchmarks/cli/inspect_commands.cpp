@@ -105,9 +105,12 @@ ListedRows rows_of(const std::string& what) {
   return rows;
 }
 
-void check_suite(const ConfigNode& root, const CheckOptions& options,
-                 const CommandContext& context) {
-  const SuiteConfig suite = read_suite(root, options.data, context.planners);
+void check_suite(const CheckOptions& options, const CommandContext& context) {
+  SuiteChoice choice;
+  choice.suite = options.file;
+  choice.data = options.data;
+  choice.set = options.set;
+  const SuiteConfig suite = source_of(choice).read(context.planners);
   SuiteTrials::check_worlds(suite);
   context.out << options.file << ": suite '" << suite.name << "', " << suite.scenarios.size()
               << " scenarios x " << suite.vehicles.size() << " vehicles x " << suite.planners.size()
@@ -139,8 +142,10 @@ ExitCode execute(const ListOptions& options, const CommandContext& context) {
 
 ExitCode execute(const CheckOptions& options, const CommandContext& context) {
   const ConfigNode root = ConfigNode::read_file(find_suite(options.file).string());
-  if (root.find("suite") || root.find("planners") || root.find("vehicles")) {
-    check_suite(root, options, context);
+  const auto keys = {"suite", "planners", "vehicles", "include"};
+  if (!options.set.empty() ||
+      std::any_of(keys.begin(), keys.end(), [&](const char* key) { return root.find(key); })) {
+    check_suite(options, context);
     return ExitCode::success;
   }
   for (const ScenarioSpec& scenario : read_scenarios(root, DataLocation::find(options.data))) {

@@ -18,6 +18,7 @@ struct SuiteChoice {
   std::string seed;  // empty: the suite's
   std::string repetitions;
   std::string data;
+  std::vector<std::string> set;      // "path=value" each
   std::vector<std::string> plugins;  // shared libraries with planners
 };
 
@@ -63,6 +64,7 @@ struct ListOptions {
 struct CheckOptions {
   std::string file;
   std::string data;
+  std::vector<std::string> set;  // of a suite
   std::vector<std::string> plugins;
 };
 

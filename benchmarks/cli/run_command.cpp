@@ -126,7 +126,7 @@ SuiteSource source_of(const SuiteChoice& choice) {
   const std::string file = find_suite(choice.suite).string();
   const std::string text = read_text_file(file);
   ConfigNode::parse(text, file);  // says what is wrong with the file itself
-  return {file, text, choice.data, choice.seed, choice.repetitions};
+  return {file, text, choice.data, choice.seed, choice.repetitions, {}, choice.set};
 }
 
 std::filesystem::path run_folder(const std::string& out, const SuiteConfig& suite) {

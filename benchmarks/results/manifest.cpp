@@ -4,6 +4,8 @@
 
 #include "voronaut/benchmarks/results/build_info.h"
 #include "voronaut/benchmarks/suite/config_json.h"
+#include "voronaut/benchmarks/suite/suite_includes.h"
+#include "voronaut/benchmarks/suite/suite_paths.h"
 #include "voronaut/benchmarks/trial/sha256.h"
 #include "voronaut/environments/scenario/scenario_spec.h"
 
@@ -90,7 +92,9 @@ Json build_json() {
 
 SuiteConfig SuiteSource::read(const PlannerCatalog& planners) {
   FileSession session(files);
-  SuiteConfig suite = read_suite(ConfigNode::parse(text, file), data_argument, planners);
+  ConfigNode root = with_includes(ConfigNode::parse(text, file));
+  for (const std::string& setting : set) root = with_setting(root, setting);
+  SuiteConfig suite = read_suite(root, data_argument, planners);
   if (!seed.empty()) suite.seed = std::stoull(seed);
   if (!repetitions.empty()) suite.repetitions = std::stoi(repetitions);
   if (files.empty()) files = session.read();
@@ -113,6 +117,7 @@ std::string manifest_json(const SuiteSource& source, const SuiteConfig& suite,
                    {"suite_file", source.file},
                    {"suite_text", source.text},
                    {"configuration", full_json(suite)}};
+  if (!source.set.empty()) manifest["set"] = source.set;
   if (!shard.empty()) manifest["shard"] = shard;
   return manifest.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }

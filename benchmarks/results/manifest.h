@@ -21,6 +21,7 @@ struct SuiteSource {
   // Copies of the files that it names, by absolute path: taken when it is read first, read from
   // then on, so that it is the same suite wherever and whenever.
   FileSession::Files files{};
+  std::vector<std::string> set{};  // "path=value" each: replaces what the file says (suite_paths.h)
 
   // Throws ConfigError, std::invalid_argument.
   SuiteConfig read(const PlannerCatalog& planners);

@@ -47,16 +47,17 @@ std::vector<Item> read_list(const ConfigNode& node, const Read& read, const Name
   return items;
 }
 
-DataLocation data_location(const ConfigNode& root, const std::string& data_argument,
-                           const std::string& named) {
+DataLocation data_location(const ConfigNode& root, const std::string& data_argument) {
   DataLocation data = DataLocation::find(data_argument);
-  if (data.folder.empty() && !named.empty()) data = {root.beside(named), "key 'data'"};
+  const auto named = root.find("data");
+  if (data.folder.empty() && named && !named->text().empty())
+    data = {named->beside(named->text()), "key 'data'"};
   return data;
 }
 
 void read_contents(const ConfigNode& root, const std::string& data_argument,
                    const PlannerCatalog& planners, SuiteConfig& suite) {
-  const DataLocation data = data_location(root, data_argument, suite.data);
+  const DataLocation data = data_location(root, data_argument);
   suite.vehicles = read_list<VehicleEntry>(
       root.child("vehicles"),
       [](const ConfigNode& entry) { return std::vector<VehicleEntry>{read_vehicle(entry)}; },

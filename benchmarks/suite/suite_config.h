@@ -53,6 +53,8 @@ struct SuiteConfig {
 
   template <class Visitor>
   void visit(Visitor& v) {
+    v.form("include", "[file, ...]",
+           "Suite files beside this one, whose keys hold where it has none");
     v.text("suite", name, "Its name: letters, digits, '-', '_' and '.'; becomes a folder");
     v.choice("kind", kind, {{"flown", TrialKind::flown}, {"static", TrialKind::static_planning}},
              "Discover the world while flying through it, or plan once with all of it given");
