@@ -27,11 +27,13 @@ Json variant_json(const std::variant<Configs...>& config) {
 }
 
 Json vehicle_json(const VehicleEntry& entry) {
-  return {
+  Json json = {
       {"label", entry.vehicle.name},
       {"params", config_json(entry.vehicle)},
       {"model", variant_json(entry.vehicle.model)},
       {"regulator", {{"name", entry.regulator_name}, {"params", variant_json(entry.regulator)}}}};
+  if (entry.flight) json["flight"] = config_json(*entry.flight);
+  return json;
 }
 
 Json planner_json(const PlannerSpec& planner) {
@@ -52,6 +54,18 @@ Json scenario_json(const ScenarioSpec& scenario) {
           {"group", scenario.group()},
           {"random", scenario.random()},
           {"definition_sha256", sha256_hex(scenario.definition())}};
+}
+
+Json axis_json(const SweepAxis& axis) {
+  Json values = Json::object();
+  for (const SweptEntry& entry : axis.entries) {
+    const auto number = parse_number(entry.value);
+    values[entry.label] = number ? Json(*number) : Json(entry.value);
+  }
+  return {{"path", axis.path},
+          {"column", axis.column},
+          {"zipped", axis.zipped},
+          {"values", std::move(values)}};
 }
 
 // These decide how many results there are and what is kept of them, or are seen in the scenarios.
@@ -77,6 +91,7 @@ Json full_json(const SuiteConfig& suite) {
       json["scenarios"][i]["definition"] = suite.scenarios[i].definition();
   const Json all = config_json(suite);
   for (const char* key : kNotDefining) json[key] = all.at(key);
+  if (!suite.sweep.empty()) json["sweep"] = list_json(suite.sweep, axis_json);
   return json;
 }
 

@@ -27,8 +27,7 @@ ConfigNode with_keys(const ConfigNode& map, const std::string& path, const Confi
   if (below.empty()) return map.with(key, value);
   const auto section = map.find(key);
   if (section && !section->is_map())
-    throw value.error(in_quotes(key) + " has no keys (" + section->file() + ":" +
-                      std::to_string(section->line()) + ")");
+    throw value.error(in_quotes(key) + " has no keys (" + section->place() + ")");
   if (section) return map.with(key, with_keys(*section, below, value));
   return map.with(key,
                   with_keys(value.under(head_of(below)).without(head_of(below)), below, value));

@@ -78,6 +78,10 @@ ConfigNode ConfigNode::parse(const std::string& text, const std::string& file) {
 
 const std::string& ConfigNode::file() const { return origin_->file; }
 
+std::string ConfigNode::place() const {
+  return origin_->called + (origin_->has_lines ? ":" + std::to_string(line_) : "");
+}
+
 ConfigNode ConfigNode::below(const Tree& tree, std::string path, int line) const {
   return ConfigNode(tree, tree->origin ? tree->origin : origin_, std::move(path), line);
 }

@@ -33,6 +33,7 @@ class ConfigNode {
   const std::string& file() const;
   int line() const { return line_; }
   const std::string& path() const { return path_; }  // from the root, empty for the root itself
+  std::string place() const;                         // "file:line", or what stands in no file
   // A file name as it is meant here: relative to the folder of this file.
   std::string beside(const std::string& relative) const;
 
