@@ -56,18 +56,6 @@ Json scenario_json(const ScenarioSpec& scenario) {
           {"definition_sha256", sha256_hex(scenario.definition())}};
 }
 
-Json axis_json(const SweepAxis& axis) {
-  Json values = Json::object();
-  for (const SweptEntry& entry : axis.entries) {
-    const auto number = parse_number(entry.value);
-    values[entry.label] = number ? Json(*number) : Json(entry.value);
-  }
-  return {{"path", axis.path},
-          {"column", axis.column},
-          {"zipped", axis.zipped},
-          {"values", std::move(values)}};
-}
-
 // These decide how many results there are and what is kept of them, or are seen in the scenarios.
 constexpr std::array kNotDefining{"repetitions", "repeat", "data", "limits", "traces"};
 
@@ -91,7 +79,7 @@ Json full_json(const SuiteConfig& suite) {
       json["scenarios"][i]["definition"] = suite.scenarios[i].definition();
   const Json all = config_json(suite);
   for (const char* key : kNotDefining) json[key] = all.at(key);
-  if (!suite.sweep.empty()) json["sweep"] = list_json(suite.sweep, axis_json);
+  if (!suite.sweep.empty()) json["sweep"] = Json::parse(axis_columns_json(columns_of(suite.sweep)));
   return json;
 }
 

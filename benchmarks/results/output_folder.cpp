@@ -115,6 +115,7 @@ ResultStore::Meta meta_of(const SuiteSource& source, const SuiteConfig& suite) {
                          {"seed", source.seed},
                          {"repetitions", std::to_string(suite.repetitions)}};
   if (!source.set.empty()) meta["set"] = nlohmann::json(source.set).dump();
+  if (!suite.sweep.empty()) meta["sweep"] = axis_columns_json(columns_of(suite.sweep));
   return meta;
 }
 
@@ -149,7 +150,7 @@ OutputFolder OutputFolder::prepare(const Place& place, const SuiteSource& source
     const Mismatch mismatch = compare(store, meta);
     if (may_continue(place, mismatch, notes)) {
       meta["builds"] = builds_with_this(store);
-      for (const char* key : {"set"})  // a row of a run before, which this one does not have
+      for (const char* key : {"set", "sweep"})  // of a run before, which this one does not have
         if (store.meta(key)) meta.try_emplace(key, "[]");
       store.set_meta(meta);
       store.keep_files(source.files);

@@ -156,12 +156,15 @@ ConfigNode text_node(const ConfigNode& entry, const std::string& text) {
   return entry.value(nlohmann::json(text).dump(), entry.place());
 }
 
-ConfigNode labelled(const SuiteList& list, const ConfigNode& entry, const std::string& base,
-                    const std::string& suffix) {
-  if (list.each != "scenario") return entry.with("label", text_node(entry, base + suffix));
-  const auto group = entry.find("group");
-  return entry.with("group", text_node(entry, (group ? group->text() : base) + suffix))
-      .with("name", text_node(entry, base + suffix));
+std::string group_of(const ConfigNode& scenario, const std::string& base) {
+  const auto group = scenario.find("group");
+  return group ? group->text() : base;
+}
+
+ConfigNode named(const ConfigNode& entry, const SweptEntry& made) {
+  if (made.group.empty()) return entry.with("label", text_node(entry, made.label));
+  return entry.with("name", text_node(entry, made.label))
+      .with("group", text_node(entry, made.group));
 }
 
 // The entries of a list as the axes that concern it make them.
@@ -188,9 +191,17 @@ std::vector<ConfigNode> swept(const SuiteList& list, const ConfigNode& node,
       for (const std::size_t a : concern)
         variant = with_entry_value(list, variant, axes[a].where.key, axes[a].values[steps[a]]);
       const std::string suffix = suffix_of(axes, concern, steps);
-      entries.push_back(labelled(list, variant, base, suffix));
-      for (const std::size_t a : concern)
-        made[a].entries.push_back({base + suffix, base, axes[a].texts[steps[a]], steps[a]});
+      SweptEntry entry_made{base + suffix, base, "", "", "", 0};
+      if (list.each == "scenario") {
+        entry_made.base_group = group_of(entry, base);
+        entry_made.group = entry_made.base_group + suffix;
+      }
+      entries.push_back(named(variant, entry_made));
+      for (const std::size_t a : concern) {
+        entry_made.value = axes[a].texts[steps[a]];
+        entry_made.step = steps[a];
+        made[a].entries.push_back(entry_made);
+      }
     }
   }
   return entries;
@@ -215,6 +226,24 @@ std::pair<ConfigNode, std::vector<SweepAxis>> without_sweep(const ConfigNode& ro
     expanded = expanded.with(list.key, node.with_items(swept(list, node, axes, made)));
   }
   return {expanded, made};
+}
+
+std::vector<AxisColumn> columns_of(const std::vector<SweepAxis>& axes) {
+  std::vector<AxisColumn> columns;
+  for (const SweepAxis& axis : axes) {
+    AxisColumn& column =
+        columns.emplace_back(AxisColumn{axis.path, axis.column, axis.zipped, {}, {}, {}});
+    for (const SweptEntry& entry : axis.entries) {
+      column.values[entry.label] = entry.value;
+      if (entry.group.empty()) {
+        column.bases[entry.label] = entry.base;
+      } else {
+        column.groups[entry.group] = entry.value;
+        column.bases[entry.group] = entry.base_group;
+      }
+    }
+  }
+  return columns;
 }
 
 std::optional<std::size_t> zipped_step(const std::vector<SweepAxis>& axes, std::string_view column,

@@ -8,14 +8,17 @@
 #include <vector>
 
 #include "voronaut/environments/config/config_node.h"
+#include "voronaut/reports/axis_columns.h"
 
 // What a suite varies: `sweep` makes of an entry of its lists as many as there are values.
 namespace voronaut {
 
 // An entry of a list as an axis made it.
 struct SweptEntry {
-  std::string label;     // in the axis's column
-  std::string base;      // what the suite calls the entry
+  std::string label;  // in the axis's column
+  std::string base;   // what the suite calls the entry
+  std::string group;  // of a scenario, with
+  std::string base_group;
   std::string value;     // as the suite writes it
   std::size_t step = 0;  // of the axis, from 0
 };
@@ -59,6 +62,9 @@ struct SweepRange {
 // of the whole suite belongs to what flies, so each vehicle becomes one for each value. Throws
 // ConfigError.
 std::pair<ConfigNode, std::vector<SweepAxis>> without_sweep(const ConfigNode& root);
+
+// The axes as columns of the results.
+std::vector<AxisColumn> columns_of(const std::vector<SweepAxis>& axes);
 
 // The step of the zipped axes that an entry stands for; none for one that no such axis made.
 std::optional<std::size_t> zipped_step(const std::vector<SweepAxis>& axes, std::string_view column,

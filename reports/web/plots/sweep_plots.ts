@@ -7,7 +7,7 @@ import { csv, el, fixed, percent, svg } from "../elements/dom";
 import { drawAxes, figureOf, frame, kHeight, kMargin, kWidth, legend } from "./figure";
 import { Palette } from "../elements/palette";
 import type { Filter } from "../data/sample";
-import { Sweep, SweepPoint, sweepsOf } from "../data/sweep";
+import { axesWithoutLine, Sweep, SweepPoint, sweepsOf } from "../data/sweep";
 
 interface Drawn {
   label: string;
@@ -83,24 +83,29 @@ function metricPlot(id: string, sweep: Sweep, metric: Statistic, palette: Palett
     const [few, many] = [Math.min(...ns), Math.max(...ns)];
     return few === many ? `n = ${few} each` : `n = ${few} to ${many}`;
   };
-  return figureOf(id, titleOf(metric, sweep), "", root,
-    legend(lines.map((l) => ({ planner: l.planner, count: counts(l) })), palette),
-    () => csv(["planner", sweep.xName, axisName(metric), "low_95", "high_95", "n"], lines.flatMap((l) =>
-      l.points.map((p) => [l.label, p.x, p.y, p.low, p.high, p.n]))));
+  return figureOf(id, titleOf(metric, sweep), sweep.held && `Held: ${sweep.held}`, root,
+    legend(lines.map((l) => ({ planner: l.planner, name: l.label, count: counts(l) })), palette),
+    () => csv(["planner", sweep.xName, axisName(metric), "low_95", "high_95", "n", "held"],
+      lines.flatMap((l) => l.points.map((p) => [l.label, p.x, p.y, p.low, p.high, p.n, sweep.held]))));
 }
 
 export function sweepSection(report: Report, palette: Palette, filter: Filter): HTMLElement {
   const sweeps = sweepsOf(report, filter);
   const shown = report.summary.statistics.filter((s) => s.in_sweeps);
+  const without = axesWithoutLine(report);
   if (sweeps.length === 0) {
-    return el("p", { class: "soft" }, "No sweep in this selection: a sweep is three or more scenario " +
-      "groups, or three or more planners of one name, that differ in one number.");
+    return el("p", { class: "soft" }, "No sweep in this selection: a sweep is an axis of the suite with " +
+      "two or more values, or three or more scenario groups, or planners of one name, that differ in one " +
+      "number.");
   }
   return el("div", {},
     el("p", {}, "Bands are 95 % intervals. A failure counts in the share that arrives; path ratio and " +
-      "time are over those that arrived, whose n a point tells."),
+      "time are over those that arrived, whose n a point tells. Where the suite sweeps over more than one " +
+      "key, each drawing holds the others at the values below it; nothing is averaged over them."),
+    without.length > 0 && el("p", { class: "soft" }, `Without numbers, and so without a line: ${without.join(", ")}. ` +
+      "The overview tells them apart by their names."),
     ...sweeps.flatMap((sweep, i) => [
-      el("h3", { class: "vehicle" }, `${sweep.xName}, ${sweep.vehicle}`),
+      el("h3", { class: "vehicle" }, [sweep.xName, sweep.vehicle, sweep.held].filter((t) => t).join(", ")),
       el("div", { class: "plots" }, ...shown.map((metric) =>
         metricPlot(`sweep-${i}-${metric.name}`, sweep, metric, palette))),
     ]));
