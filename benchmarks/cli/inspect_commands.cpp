@@ -3,6 +3,7 @@
 #include <ostream>
 
 #include "voronaut/benchmarks/cli/commands.h"
+#include "voronaut/benchmarks/cli/dry_run.h"
 #include "voronaut/benchmarks/isolation/child_process.h"
 #include "voronaut/benchmarks/suite/shipped_files.h"
 #include "voronaut/benchmarks/suite/suite_config.h"
@@ -112,10 +113,7 @@ void check_suite(const CheckOptions& options, const CommandContext& context) {
   choice.set = options.set;
   const SuiteConfig suite = source_of(choice).read(context.planners);
   SuiteTrials::check_worlds(suite);
-  context.out << options.file << ": suite '" << suite.name << "', " << suite.scenarios.size()
-              << " scenarios x " << suite.vehicles.size() << " vehicles x " << suite.planners.size()
-              << " planners x " << suite.repetitions
-              << " repetitions = " << SuiteTrials(suite).total() << " trials\n";
+  context.out << options.file << ": " << size_text(suite) << "\n";
 }
 
 }  // namespace

@@ -26,6 +26,7 @@ struct RunOptions : SuiteChoice {
   std::string out;       // empty: voronaut-results/<suite>
   std::size_t jobs = 0;  // 0: all cores but one
   std::string shard;     // "2/8"; empty: the whole suite
+  bool dry_run = false;
 };
 
 struct MergeOptions {

@@ -36,6 +36,8 @@ void Commands::add_run(CLI::App& app) {
   run_command->add_option("--jobs", run.jobs, "Trials at once [all cores but one]")
       ->check(CLI::Range(1, 1024));
   run_command->add_option("--shard", run.shard, "One of n parts of it: i/n, from 1/n to n/n");
+  run_command->add_flag("--dry-run", run.dry_run,
+                        "Say what would be flown and how long it may take; write nothing");
 }
 
 void Commands::add_merge(CLI::App& app) {

@@ -9,6 +9,7 @@
 #include <unistd.h>
 
 #include "voronaut/benchmarks/cli/commands.h"
+#include "voronaut/benchmarks/cli/dry_run.h"
 #include "voronaut/benchmarks/isolation/process_pool.h"
 #include "voronaut/benchmarks/results/build_info.h"
 #include "voronaut/benchmarks/results/merge.h"
@@ -145,6 +146,10 @@ ExitCode execute(const RunOptions& options, const CommandContext& context) {
   const std::filesystem::path run = run_folder(options.out, suite);
   Part part;
   if (!options.shard.empty()) part.shard = part.share.shard = Shard::parse(options.shard);
+  if (options.dry_run) {
+    print_dry_run({source, suite, whole, run, part.share.shard, options.jobs}, context);
+    return ExitCode::success;
+  }
   const OutputFolder::Place place{part.shard ? shards_in(run) / part.shard->folder_name() : run,
                                   !options.out.empty(), part.shard.has_value()};
   OutputFolder folder = OutputFolder::prepare(place, source, whole, context.err);

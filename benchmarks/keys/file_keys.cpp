@@ -86,6 +86,7 @@ FileKeys file_keys(const PlannerCatalog& planners) {
   keys.regulator = key_facts(RegulatorEntryKeys{});
   keys.planner = key_facts(PlannerEntryKeys{});
   keys.criterion = key_facts(AcceptanceCriterion{});
+  keys.sweep_range = key_facts(SweepRange{});
   for (const std::string& name : vehicle_names()) {
     keys.vehicle_params.push_back({name, key_facts(find_vehicle(name))});
     keys.vehicle_models.push_back({name, facts_of(find_vehicle(name).model)});

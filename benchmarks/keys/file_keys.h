@@ -19,7 +19,7 @@ struct NamedKeys {
 struct FileKeys {
   std::vector<KeyFact> suite;
   // One entry of each list of a suite.
-  std::vector<KeyFact> vehicle, regulator, planner, criterion;
+  std::vector<KeyFact> vehicle, regulator, planner, criterion, sweep_range;
   std::vector<NamedKeys> vehicle_params, vehicle_models, regulators, planners;
 
   // A scenario, by what its world comes from; each but `file` takes the keys of `task` beside.
