@@ -76,7 +76,7 @@ TEST_F(SweepsAsUsersFlyThem, OtherSettingsAreAnotherSuite) {
 TEST_F(SweepsAsUsersFlyThem, ShardsGetTheSettings) {
   const std::string settings = " --set planners.RRTConnect.range=0.7 --set seed=4";
   voronaut("submit open.yaml --engine script --shards 2 --out a --dry-run" + settings);
-  EXPECT_THAT(text_of("a/engines/script/commands"),
+  EXPECT_THAT(text_of("a/engines/script/shards.txt"),
               HasSubstr("--set planners.RRTConnect.range=0.7 --set seed=4"));
   voronaut("run open.yaml --out whole" + settings);
   for (const char* shard : {"1/2", "2/2"})

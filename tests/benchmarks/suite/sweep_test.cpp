@@ -123,16 +123,20 @@ TEST(Sweep, ThatIsZippedGoesInStepAcrossLists) {
   const SuiteConfig suite = suite_of(
       "sweep:\n  zipped:\n    scenario.side_m: [6, 8]\n"
       "    vehicles.point.max_speed_m_s: [1, 2]\n"
+      "    vehicles.point.loop.goal_hold_s: [2, 3]\n"
       "    planners.RRTConnect.range: [0.5, 1.5]\n"
       "  vehicles.quadrotor.max_speed_m_s: [1, 3]\n");
   std::map<std::string, int> met;
   for (const TrialSpec& t : trials_of(suite))
     ++met[t.scenario.name + ", " + t.vehicle.name + ", " + t.planner.label];
   EXPECT_EQ(met.size(), 2U * (2 + 1) * (1 + 1)) << "of both speeds of the other, one of its own";
-  EXPECT_TRUE(met.contains("wood-side_m-8, point max_speed_m_s=2, RRTConnect range=1.5"));
+  EXPECT_TRUE(
+      met.contains("wood-side_m-8, point max_speed_m_s=2 goal_hold_s=3, RRTConnect range=1.5"));
   EXPECT_TRUE(met.contains("wood-side_m-8, quadrotor max_speed_m_s=1, RRTConnect range=1.5"));
-  EXPECT_FALSE(met.contains("wood-side_m-8, point max_speed_m_s=1, RRTConnect range=1.5"));
-  EXPECT_FALSE(met.contains("wood-side_m-8, point max_speed_m_s=2, RRTConnect range=0.5"));
+  EXPECT_FALSE(
+      met.contains("wood-side_m-8, point max_speed_m_s=1 goal_hold_s=2, RRTConnect range=1.5"));
+  EXPECT_FALSE(
+      met.contains("wood-side_m-8, point max_speed_m_s=2 goal_hold_s=3, RRTConnect range=0.5"));
 }
 
 TEST(Sweep, OfShardsIsTheSweepOfTheWhole) {
