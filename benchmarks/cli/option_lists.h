@@ -28,6 +28,7 @@ struct Commands {
   void add_status(CLI::App& app);
   void add_submit(CLI::App& app);
   void add_cancel(CLI::App& app);
+  void add_tune(CLI::App& app);
   void add_replay(CLI::App& app);
   void add_report(CLI::App& app);
   void add_compare(CLI::App& app);
@@ -55,6 +56,7 @@ struct Commands {
   StatusOptions status;
   SubmitOptions submit;
   CancelOptions cancel;
+  TuneOptions tune;
 
   CLI::App* run_command = nullptr;
   CLI::App* summary_command = nullptr;
@@ -73,6 +75,7 @@ struct Commands {
   CLI::App* status_command = nullptr;
   CLI::App* submit_command = nullptr;
   CLI::App* cancel_command = nullptr;
+  CLI::App* tune_command = nullptr;
 };
 
 }  // namespace voronaut

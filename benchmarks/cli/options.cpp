@@ -82,6 +82,7 @@ Commands::Commands(CLI::App& app) {
   add_status(app);
   add_submit(app);
   add_cancel(app);
+  add_tune(app);
 }
 
 Options Commands::chosen() const {
@@ -91,7 +92,7 @@ Options Commands::chosen() const {
       {report_command, report}, {compare_command, compare}, {evidence_command, evidence},
       {show_command, show},     {export_command, exported}, {schema_command, schema},
       {merge_command, merge},   {status_command, status},   {submit_command, submit},
-      {cancel_command, cancel},
+      {cancel_command, cancel}, {tune_command, tune},
   };
   for (const auto& [command, options] : all)
     if (command->parsed()) return options;

@@ -47,6 +47,16 @@ struct SubmitOptions : SuiteChoice {
   bool dry_run = false;
 };
 
+struct TuneOptions : SuiteChoice {  // all planners of the suite but one stay on the ground
+  std::string planner;
+  std::vector<std::string> over;  // "key=LOW:HIGH" or "key=LOW:HIGH:log"
+  std::vector<std::string> objectives{"success", "path_ratio"};
+  std::size_t candidates = 16;
+  std::string out;  // empty: voronaut-results/<suite>-tune
+  std::size_t jobs = 0;
+  bool dry_run = false;
+};
+
 struct CancelOptions {
   std::string folder;
 };
@@ -137,7 +147,7 @@ struct SchemaOptions {
 using Options = std::variant<RunOptions, SummaryOptions, ListOptions, CheckOptions, ReplayOptions,
                              DigestOptions, ReportOptions, CompareOptions, EvidenceOptions,
                              PlotOptions, ShowOptions, ExportOptions, SchemaOptions, MergeOptions,
-                             StatusOptions, SubmitOptions, CancelOptions>;
+                             StatusOptions, SubmitOptions, CancelOptions, TuneOptions>;
 
 // 0: done. 1: ran, but something failed. 2: bad input.
 enum class ExitCode { success = 0, failure = 1, bad_input = 2 };

@@ -11,12 +11,11 @@ namespace voronaut {
 namespace {
 
 // Which suite, and what is changed about it. Returns the option of its name.
-CLI::Option* add_suite(CLI::App* command, SuiteChoice& choice, const std::string& otherwise = {}) {
+CLI::Option* add_suite_alone(CLI::App* command, SuiteChoice& choice,
+                             const std::string& otherwise = {}) {
   CLI::Option* suite = command->add_option(
       "SUITE", choice.suite,
       "Suite file, or the name of one that ships" + (otherwise.empty() ? "" : " " + otherwise));
-  command->add_option("--planners", choice.planners, "Only these, by label: a,b,...")
-      ->delimiter(',');
   command->add_option("--seed", choice.seed, "Instead of the suite's")
       ->check(CLI::Range(std::int64_t{0}, std::numeric_limits<std::int64_t>::max()));
   command->add_option("--repetitions", choice.repetitions, "Instead of the suite's")
@@ -25,6 +24,13 @@ CLI::Option* add_suite(CLI::App* command, SuiteChoice& choice, const std::string
   add_data(command, choice.data);
   add_plugins(command, choice.plugins);
   return suite;
+}
+
+// The same with a choice of its planners.
+CLI::Option* add_suite(CLI::App* command, SuiteChoice& choice, const std::string& otherwise = {}) {
+  command->add_option("--planners", choice.planners, "Only these, by label: a,b,...")
+      ->delimiter(',');
+  return add_suite_alone(command, choice, otherwise);
 }
 
 }  // namespace
@@ -73,6 +79,29 @@ void Commands::add_submit(CLI::App& app) {
 void Commands::add_cancel(CLI::App& app) {
   cancel_command = add_command(app, "cancel", "End what was submitted for a folder of results");
   add_folder(cancel_command, cancel.folder);
+}
+
+void Commands::add_tune(CLI::App& app) {
+  tune_command =
+      add_command(app, "tune", "Find better parameters of a planner on the worlds of a suite");
+  add_suite_alone(tune_command, tune)->required();
+  tune_command->add_option("--planner", tune.planner, "Which one, by label")->required();
+  tune_command
+      ->add_option("--over", tune.over,
+                   "Its keys and their bounds: range=0.1:5:log,goal_bias=0:0.5; log: equal ratios")
+      ->required()
+      ->delimiter(',');
+  tune_command
+      ->add_option("--for", tune.objectives,
+                   "What counts, equally: success, statistics or columns [success,path_ratio]")
+      ->delimiter(',');
+  tune_command->add_option("--candidates", tune.candidates, "How many begin, it as it is too [16]")
+      ->check(CLI::Range(2, 1024));
+  tune_command->add_option("--out", tune.out, "Folder [voronaut-results/<suite>-tune]");
+  tune_command->add_option("--jobs", tune.jobs, "Trials at once [all cores but one]")
+      ->check(CLI::Range(1, 1024));
+  tune_command->add_flag("--dry-run", tune.dry_run,
+                         "Fly nothing; say how what comes next may be flown in shards");
 }
 
 }  // namespace voronaut

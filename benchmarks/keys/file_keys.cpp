@@ -54,6 +54,8 @@ KeyFact parameter_fact(const ompl::base::GenericParam& param) {
   return fact;
 }
 
+}  // namespace
+
 std::vector<KeyFact> parameters_of(const PlannerEntry& entry) {
   PlanningProblem problem({.bounds_world = {Vec2(-1, -1), Vec2(1, 1)}});
   const auto planner = entry.make(problem.space_information());
@@ -62,6 +64,8 @@ std::vector<KeyFact> parameters_of(const PlannerEntry& entry) {
     facts.push_back(parameter_fact(*param));
   return facts;
 }
+
+namespace {
 
 void add_scenario_keys(FileKeys& keys) {
   keys.task = key_facts(TaskConfig{});

@@ -30,6 +30,9 @@ struct FileKeys {
   std::vector<KeyFact> query_selection;
 };
 
+// What a planner declares about its parameters. Makes it, in this process.
+std::vector<KeyFact> parameters_of(const PlannerEntry& entry);
+
 // Makes each planner once, in this process.
 FileKeys file_keys(const PlannerCatalog& planners);
 

@@ -93,11 +93,25 @@ Json build_json() {
 
 }  // namespace
 
+namespace {
+
+// While a FileSession lives.
+ConfigNode root_of(const SuiteSource& source) {
+  ConfigNode root = with_includes(ConfigNode::parse(source.text, source.file));
+  for (const std::string& setting : source.set) root = with_setting(root, setting);
+  return root;
+}
+
+}  // namespace
+
+ConfigNode SuiteSource::root() const {
+  const FileSession session(files);
+  return root_of(*this);
+}
+
 SuiteConfig SuiteSource::read(const PlannerCatalog& planners) {
   FileSession session(files);
-  ConfigNode root = with_includes(ConfigNode::parse(text, file));
-  for (const std::string& setting : set) root = with_setting(root, setting);
-  SuiteConfig suite = read_suite(root, data_argument, planners);
+  SuiteConfig suite = read_suite(root_of(*this), data_argument, planners);
   if (!seed.empty()) suite.seed = std::stoull(seed);
   if (!repetitions.empty()) suite.repetitions = std::stoi(repetitions);
   if (files.empty()) files = session.read();

@@ -23,6 +23,8 @@ struct SuiteSource {
   FileSession::Files files{};
   std::vector<std::string> set{};  // "path=value" each: replaces what the file says (suite_paths.h)
 
+  // The suite's root with what it includes and what is set. Throws ConfigError.
+  ConfigNode root() const;
   // Throws ConfigError, std::invalid_argument.
   SuiteConfig read(const PlannerCatalog& planners);
 };

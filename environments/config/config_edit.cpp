@@ -37,7 +37,59 @@ SharedTree joined(const SharedTree& top, const SharedTree& base) {
   return std::make_shared<const ConfigTree>(std::move(join));
 }
 
+// Quoted so that it is read as text and nothing else.
+std::string quoted(const std::string& text) {
+  constexpr const char* kHex = "0123456789abcdef";
+  std::string yaml = "\"";
+  for (const char c : text) {
+    const auto byte = static_cast<unsigned char>(c);
+    if (c == '"' || c == '\\') yaml += '\\';
+    if (byte < 0x20 || byte == 0x7f)
+      yaml.append("\\x").append(1, kHex[byte >> 4]).append(1, kHex[byte & 15]);
+    else
+      yaml += c;
+  }
+  return yaml + '"';
+}
+
+bool is_plain(const std::string& text) {
+  return !text.empty() && text != "null" && text != "~" && text != "-" &&
+         std::all_of(text.begin(), text.end(), [](char c) {
+           return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ||
+                  c == '_' || c == '-' || c == '.' || c == '+';
+         });
+}
+
+void write_yaml(const ConfigTree& tree, std::string& yaml) {
+  if (tree.kind == ConfigTree::Kind::nothing) yaml += "~";
+  if (tree.kind == ConfigTree::Kind::scalar)
+    yaml += tree.quoted || !is_plain(tree.scalar) ? quoted(tree.scalar) : tree.scalar;
+  if (tree.kind == ConfigTree::Kind::list) {
+    yaml += "[";
+    for (const SharedTree& item : tree.items) {
+      if (&item != &tree.items.front()) yaml += ", ";
+      write_yaml(*item, yaml);
+    }
+    yaml += "]";
+  }
+  if (tree.kind == ConfigTree::Kind::map) {
+    yaml += "{";
+    for (const ConfigTree::Entry& entry : tree.entries) {
+      if (&entry != &tree.entries.front()) yaml += ", ";
+      yaml.append(is_plain(entry.key) ? entry.key : quoted(entry.key)).append(": ");
+      write_yaml(*entry.value, yaml);
+    }
+    yaml += "}";
+  }
+}
+
 }  // namespace
+
+std::string ConfigNode::yaml() const {
+  std::string text;
+  write_yaml(*tree_, text);
+  return text;
+}
 
 ConfigNode::Tree ConfigNode::placed() const { return with_origin(tree_, origin_); }
 

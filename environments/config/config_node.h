@@ -69,6 +69,8 @@ class ConfigNode {
   // For a problem that only the caller can see: throw node.error("lies outside the bounds").
   ConfigError error(std::string_view problem) const;
 
+  std::string yaml() const;  // in one line; names of files in it stay as they are
+
   // Copies with a change (config_edit.cpp). What is put in keeps its own file and line, so that
   // messages name the place where it was written.
   // A value that stands in no file: YAML, called so by messages, files beside this one's.

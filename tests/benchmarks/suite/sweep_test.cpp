@@ -222,6 +222,21 @@ TEST(Sweep, IsInTheConfigurationOnlyWhereThereIsOne) {
   EXPECT_EQ(none.find("\"flight\""), std::string::npos);
 }
 
+TEST(Sweep, IsInTheDocumentationAsItIsRead) {
+  const std::string page = read_text_file(std::string(VORONAUT_SOURCE_DIR) + "/docs/sweeps.md");
+  const std::string fence = "```yaml\n";
+  const auto begin = page.find(fence) + fence.size();
+  const SuiteConfig suite = read_suite(
+      ConfigNode::parse(page.substr(begin, page.find("```", begin) - begin), "docs.yaml"), "",
+      PlannerCatalog::built_in());
+  EXPECT_EQ(suite.vehicles.size(), 5U * 3);
+  EXPECT_EQ(suite.planners.size(), 1U + 3);
+  const std::string line = "    sweep: {zipped: ";
+  const auto zipped = page.find(line) + 4;
+  EXPECT_EQ(suite_of(page.substr(zipped, page.find('\n', zipped) - zipped) + "\n").sweep.size(),
+            3U);
+}
+
 TEST(Sweep, ShipsInASuite) {
   const std::string file = find_suite("sensor-range").string();
   const SuiteConfig suite = read_suite(ConfigNode::read_file(file), "", PlannerCatalog::built_in());
