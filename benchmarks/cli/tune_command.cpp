@@ -8,10 +8,9 @@
 
 #include "voronaut/benchmarks/cli/commands.h"
 #include "voronaut/benchmarks/cli/flying.h"
-#include "voronaut/benchmarks/engines/engine.h"
+#include "voronaut/benchmarks/cli/tuning_heat.h"
 #include "voronaut/benchmarks/keys/file_keys.h"
 #include "voronaut/benchmarks/results/digest.h"
-#include "voronaut/benchmarks/results/merge.h"
 #include "voronaut/benchmarks/suite/suite_trials.h"
 #include "voronaut/benchmarks/tuning/race.h"
 #include "voronaut/benchmarks/tuning/tuned_suites.h"
@@ -122,62 +121,10 @@ void write_candidates(const Tuning& tuning) {
   write_file_atomically(tuning.source.file, tuning.source.text);
 }
 
-// A part of the trials: some candidates, so often.
-struct Heat {
-  std::filesystem::path folder;
-  SuiteSource source;
-  std::vector<std::string> planners;
-  int repetitions = 1;
-};
-
 Heat heat_of(const Tuning& tuning, const std::vector<std::string>& planners, int repetitions) {
   Heat heat{tuning.folder, tuning.source, planners, repetitions};
   heat.source.repetitions = std::to_string(repetitions);
   return heat;
-}
-
-// Its rows, wherever they lie, shards that an engine has flown among them.
-std::vector<RunRecord> rows_of_heat(const Heat& heat, const std::string& identity) {
-  std::map<std::string, RunRecord> rows;
-  for (const auto& folder : folders_with_results(heat.folder)) {
-    const OutputFolder part = OutputFolder::open(folder);
-    if (part.store().meta("suite_identity") != identity) continue;
-    part.store().for_each_record([&](const RunRecord& record) {
-      const bool flies = std::find(heat.planners.begin(), heat.planners.end(), record.planner) !=
-                         heat.planners.end();
-      if (flies && record.repetition < heat.repetitions) rows.emplace(record.trial_id, record);
-    });
-  }
-  std::vector<RunRecord> list;
-  for (auto& [id, record] : rows) list.push_back(std::move(record));
-  return list;
-}
-
-struct Flown {
-  std::vector<RunRecord> rows;
-  std::size_t missing = 0;
-  std::optional<ExitCode> ended;  // early
-};
-
-Flown fly_heat(Heat heat, const Tuning& tuning, bool fly, const CommandContext& context) {
-  SuiteConfig suite = heat.source.read(context.planners);
-  const SuiteConfig whole = suite;
-  keep_planners(suite, heat.planners);
-  const std::string identity = suite_identity(whole);
-  const std::size_t total = SuiteTrials(suite).total();
-  Flown flown;
-  flown.rows = rows_of_heat(heat, identity);
-  flown.missing = total - flown.rows.size();
-  if (flown.missing == 0 || !fly) return flown;
-  OutputFolder folder =
-      OutputFolder::prepare({heat.folder, true, false}, heat.source, whole, context.err);
-  Part part;
-  part.share.elsewhere = flown_elsewhere(heat.folder, Shard{}, folder);
-  folder.write_manifest(manifest_json(heat.source, suite, context.command_line, ""));
-  flown.ended = fly_missing(suite, tuning.jobs, part, folder, context).ended;
-  flown.rows = rows_of_heat(heat, identity);
-  flown.missing = 0;
-  return flown;
 }
 
 std::string values_text(const Tuning& tuning, const std::string& label) {
@@ -211,20 +158,6 @@ void print_rung(const Tuning& tuning, std::size_t number, int repetitions,
       << table.aligned() << std::endl;
 }
 
-void print_next(const Heat& heat, std::size_t missing, const CommandContext& context) {
-  std::string labels;
-  for (const std::string& planner : heat.planners) labels += (labels.empty() ? "" : ",") + planner;
-  context.out << missing
-              << " trials are missing; they may be flown in shards by\n  voronaut submit "
-              << shell_word(heat.source.file) << " --engine ENGINE --out "
-              << shell_word(heat.folder.string()) << " --repetitions " << heat.repetitions
-              << " --planners " << shell_word(labels);
-  if (!heat.source.seed.empty()) context.out << " --seed " << heat.source.seed;
-  for (const std::string& setting : heat.source.set)
-    context.out << " --set " << shell_word(setting);
-  context.out << "\nand the same command goes on from there\n" << std::flush;
-}
-
 // The winner of all rungs; an exit code where there is none yet.
 struct Raced {
   std::string winner;
@@ -237,7 +170,7 @@ Raced race_all(const Tuning& tuning, bool fly, const CommandContext& context) {
   for (std::size_t i = 0; i < tuning.rungs.size() && planners.size() > 1; ++i) {
     const int repetitions = tuning.rungs[i].repetitions;
     const Heat heat = heat_of(tuning, planners, repetitions);
-    const Flown flown = fly_heat(heat, tuning, fly, context);
+    const Flown flown = fly_heat(heat, tuning.jobs, fly, context);
     if (flown.ended) return {"", flown.ended};
     if (flown.missing > 0) {
       print_next(heat, flown.missing, context);
@@ -291,7 +224,7 @@ ExitCode execute(const TuneOptions& options, const CommandContext& context) {
   Heat fresh = heat_of(tuning, {tuning.planner, raced.winner}, tuning.repetitions);
   fresh.folder = tuning.folder / "fresh";
   fresh.source.seed = tuning.fresh_seed;
-  const Flown flown = fly_heat(fresh, tuning, !options.dry_run, context);
+  const Flown flown = fly_heat(fresh, tuning.jobs, !options.dry_run, context);
   if (flown.ended) return *flown.ended;
   if (flown.missing > 0) {
     print_next(fresh, flown.missing, context);

@@ -1,13 +1,9 @@
-#include <cstdlib>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 
 #include <gmock/gmock.h>
-#include <sys/wait.h>
 
 #include "voronaut/reports/store/store.h"
-#include "voronaut/tests/support/temporary_folder.h"
+#include "voronaut/tests/benchmarks/cli/program_in_folder.h"
 
 // Settings, includes, sweeps and dry runs, by running the program.
 namespace voronaut {
@@ -16,7 +12,7 @@ namespace {
 using ::testing::HasSubstr;
 using ::testing::StartsWith;
 
-class SweepsAsUsersFlyThem : public ::testing::Test {
+class SweepsAsUsersFlyThem : public ProgramInFolder {
  protected:
   void SetUp() override {
     write("open.yaml",
@@ -27,25 +23,6 @@ class SweepsAsUsersFlyThem : public ::testing::Test {
           "include: open.yaml\nsuite: swept\n"
           "sweep: {planners.RRTConnect.range: [0.5, 2], vehicle.max_speed_m_s: [1, 2]}\n");
   }
-  std::string text_of(const std::string& name) const {
-    std::ifstream in(path(name), std::ios::binary);
-    return {std::istreambuf_iterator<char>(in), {}};
-  }
-  // What it says; both streams.
-  std::string voronaut(const std::string& arguments, int exit_code = 0) const {
-    const std::string command = "cd '" + folder_.path().string() + "' && env -u VORONAUT_DATA '" +
-                                VORONAUT_PROGRAM + "' " + arguments + " >said.txt 2>&1";
-    const int status = std::system(command.c_str());
-    EXPECT_EQ(WIFEXITED(status) ? WEXITSTATUS(status) : -1, exit_code) << arguments << "\n"
-                                                                       << text_of("said.txt");
-    return text_of("said.txt");
-  }
-  std::filesystem::path path(const std::string& name) const { return folder_.path() / name; }
-  void write(const std::string& name, const std::string& text) const {
-    std::ofstream(path(name)) << text;
-  }
-
-  TemporaryFolder folder_;
 };
 
 TEST_F(SweepsAsUsersFlyThem, ARunKeepsWhatWasSetForAllThatComesAfter) {
