@@ -136,6 +136,13 @@ std::string values_text(const Tuning& tuning, const std::string& label) {
   return text.empty() ? "as the suite has it" : text;
 }
 
+// What tuned.yaml must be flown with to be what was tuned.
+std::string settings_text(const Tuning& tuning) {
+  std::string text;
+  for (const std::string& setting : tuning.source.set) text += " --set " + in_quotes(setting);
+  return text.empty() ? "" : ", with" + text;
+}
+
 void print_rung(const Tuning& tuning, std::size_t number, int repetitions,
                 const std::vector<Standing>& standings, std::ostream& out) {
   TextTable table{{{"candidate", TextTable::Align::left},
@@ -239,7 +246,7 @@ ExitCode execute(const TuneOptions& options, const CommandContext& context) {
     if (candidate.label == raced.winner)
       write_file_atomically(
           file, winners_suite(tuning.root, tuning.file, tuning.planner, tuning.keys, candidate,
-                              tuning.planner + " tuned: " + values));
+                              tuning.planner + " tuned: " + values + settings_text(tuning)));
   context.out << "suite: " << file.string() << std::endl;
   return ExitCode::success;
 }

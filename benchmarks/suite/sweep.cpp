@@ -26,12 +26,9 @@ struct WrittenAxis {
   std::vector<std::string> texts;
 };
 
-// A number with so many digits that 0.1 + 0.2 is written 0.3.
-std::string short_text(double value) {
-  constexpr int kDigits = 12;
-  if (value == 0) return "0";
-  const double unit =
-      std::pow(10.0, kDigits - 1 - static_cast<int>(std::floor(std::log10(std::abs(value)))));
+// With so many digits as tell it from its neighbours, `step` away, to a thousandth of that.
+std::string short_text(double value, double step) {
+  const double unit = std::pow(10.0, 3 - std::floor(std::log10(std::abs(step))));
   return number_text(std::isfinite(unit) ? std::round(value * unit) / unit : value);
 }
 
@@ -43,12 +40,15 @@ std::vector<ConfigNode> values_of_range(const ConfigNode& node) {
   if (ratios && (range.from <= 0 || range.to <= 0))
     throw node.error("logarithmic needs `from` and `to` above 0");
   if (range.from == range.to) throw node.error("`from` and `to` are the same");
+  const double ratio = ratios ? std::pow(range.to / range.from, 1.0 / (range.steps - 1)) : 1;
+  const double step = (range.to - range.from) / (range.steps - 1);
   std::vector<ConfigNode> values;
   for (int i = 0; i < range.steps; ++i) {
-    const double part = static_cast<double>(i) / (range.steps - 1);
-    const double value = ratios ? range.from * std::pow(range.to / range.from, part)
-                                : range.from + part * (range.to - range.from);
-    values.push_back(node.value(short_text(value), node.place()));
+    const double value = ratios ? range.from * std::pow(ratio, i) : range.from + i * step;
+    std::string text = short_text(value, ratios ? value * (ratio - 1) : step);
+    if (i == 0) text = number_text(range.from);
+    if (i + 1 == range.steps) text = number_text(range.to);
+    values.push_back(node.value(text, node.place()));
   }
   return values;
 }

@@ -2,6 +2,8 @@
 
 #include <stdexcept>
 
+#include <nlohmann/json.hpp>
+
 #include "voronaut/benchmarks/suite/suite_paths.h"
 #include "voronaut/environments/config/nearest_name.h"
 
@@ -15,9 +17,8 @@ const SuiteList& planners_list() {
   throw std::logic_error("a suite has planners");
 }
 
-ConfigNode word(const ConfigNode& entry, const std::string& text) {
-  return entry.value("{word: " + (text.empty() ? "''" : text) + "}", entry.place()).child("word");
-}
+// Which YAML reads as the same text.
+std::string in_json(const std::string& text) { return nlohmann::json(text).dump(); }
 
 // The entry at these values; by its own label if none is given.
 ConfigNode tuned(const ConfigNode& entry, const std::vector<SearchKey>& keys,
@@ -25,12 +26,13 @@ ConfigNode tuned(const ConfigNode& entry, const std::vector<SearchKey>& keys,
   const ConfigNode name = entry.is_map() ? entry.child("name") : entry;
   ConfigNode made = entry.is_map() ? entry : name.under("name");
   for (std::size_t i = 0; i < candidate.values.size(); ++i)
-    made = with_entry_value(planners_list(), made, keys[i].key, word(entry, candidate.values[i]));
-  return label.empty() ? made : made.with("label", word(entry, "\"" + label + "\""));
+    made = with_entry_value(planners_list(), made, keys[i].key,
+                            entry.value(candidate.values[i], entry.place()));
+  return label.empty() ? made : made.with("label", entry.value(in_json(label), entry.place()));
 }
 
 std::string head(const std::string& said, const std::string& file) {
-  return "# " + said + "\ninclude: \"" + file + "\"\n";
+  return "# " + said + "\ninclude: " + in_json(file) + "\n";
 }
 
 }  // namespace

@@ -72,12 +72,12 @@ const ExampleQuery kQueries[] = {
      "FROM trials LEFT JOIN traces USING (trial_id)\n"
      "ORDER BY planning_time_us_mean DESC LIMIT 20;"},
     {"Along an axis of a sweep over a planner's key, how often is the goal reached?",
-     "SELECT json_extract(axis.value, '$.path') AS path, swept.value, count(*) AS n,\n"
+     "SELECT json_extract(said.value, '$.path') AS axis, swept.value, count(*) AS n,\n"
      "       avg(outcome = 'goal_reached') AS goal_reached_share\n"
-     "FROM meta, json_each(meta.value) AS axis,\n"
-     "     json_each(axis.value, '$.values') AS swept JOIN trials ON trials.planner = swept.key\n"
-     "WHERE meta.key = 'sweep' AND json_extract(axis.value, '$.column') = 'planner'\n"
-     "GROUP BY path, swept.value ORDER BY path, swept.value;"},
+     "FROM meta, json_each(meta.value) AS said,\n"
+     "     json_each(said.value, '$.values') AS swept JOIN trials ON trials.planner = swept.key\n"
+     "WHERE meta.key = 'sweep' AND json_extract(said.value, '$.column') = 'planner'\n"
+     "GROUP BY 1, 2 ORDER BY 1, 2;"},
 };
 
 std::string database() {

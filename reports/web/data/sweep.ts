@@ -15,6 +15,7 @@ export interface Sweep {
   xName: string;
   vehicle: string;
   held: string;    // the other axes of the suite and their values here; "" if there are none
+  ratios: boolean; // its values have equal ratios, so the axis is logarithmic
   fewest: number;  // points that make a line worth drawing
   lines: { label: string; planner: string; points: SweepPoint[] }[];  // planner: whose colour
 }
@@ -119,6 +120,13 @@ export function axesWithoutLine(report: Report): string[] {
     .map((axis) => axis.path);
 }
 
+function haveEqualRatios(axis: SaidAxis): boolean {
+  const values = [...new Set(Object.values(axis.values).map(Number))].sort((a, b) => a - b);
+  if (values.length < 3 || values[0] <= 0) return false;
+  const ratio = (values[values.length - 1] / values[0]) ** (1 / (values.length - 1));
+  return values.every((v, i) => Math.abs(v / (values[0] * ratio ** i) - 1) < 0.01);
+}
+
 // One drawing for each combination of what else is swept but the planners', which are lines: all other
 // axes are held, nothing is averaged over them.
 function saidSweep(axes: SaidAxis[], axis: SaidAxis, rows: PlannerSummary[]): Sweep[] {
@@ -135,7 +143,7 @@ function saidSweep(axes: SaidAxis[], axis: SaidAxis, rows: PlannerSummary[]): Sw
     JSON.stringify([vehicle(row), baseOf(axes, row, "scenario"), heldText(row, false)]));
   return [...panels.values()].map((panel): Sweep => ({
     title: `over ${axis.path} in ${baseOf(axes, panel[0], "scenario")}`, xName,
-    vehicle: vehicle(panel[0]), held: heldText(panel[0], false), fewest: 2,
+    vehicle: vehicle(panel[0]), held: heldText(panel[0], false), ratios: haveEqualRatios(axis), fewest: 2,
     lines: [...grouped(panel, (row) => JSON.stringify([baseOf(axes, row, "planner"), heldText(row, true)]))
       .values()].map((line) => ({
         label: [baseOf(axes, line[0], "planner"), heldText(line[0], true)].filter((t) => t).join(", "),
@@ -162,7 +170,7 @@ function scenarioSweeps(report: Report, rows: PlannerSummary[]): Sweep[] {
   return axes.flatMap(({ xName, x }) => {
     const inside = rows.filter((r) => x.has(r.scenario_group));
     return [...grouped(inside, vehicleOf)].map(([vehicle, list]): Sweep => ({
-      title: "over the scenarios", xName, vehicle, held: "", fewest: kFewest,
+      title: "over the scenarios", xName, vehicle, held: "", ratios: false, fewest: kFewest,
       lines: [...grouped(list, (r) => r.planner)].sort(([a], [b]) => byName(a, b)).map(([planner, mine]) => ({
         label: planner, planner,
         points: byX(mine.map((r) => ({ x: x.get(r.scenario_group) as number, summary: r }))),
@@ -181,7 +189,7 @@ function plannerSweeps(report: Report, rows: PlannerSummary[]): Sweep[] {
     for (const [place, mine] of grouped(inside, (r) => JSON.stringify([vehicleOf(r), r.scenario_group]))) {
       const [vehicle, group] = JSON.parse(place) as [string, string];
       sweeps.push({ title: `over ${key} of ${name} in ${group}`, xName: `${name}: ${key}`, vehicle,
-        held: "", fewest: kFewest,
+        held: "", ratios: false, fewest: kFewest,
         lines: [{ label: name, planner: list[0].label,
           points: byX(mine.map((r) => ({ x: x.get(r.planner) as number, summary: r }))) }] });
     }

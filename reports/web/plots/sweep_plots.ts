@@ -1,5 +1,5 @@
 // Sweeps as lines, with bands that are 95 % intervals.
-import { axisLeft } from "d3-axis";
+import { axisBottom, axisLeft } from "d3-axis";
 import { scaleLinear, scaleLog } from "d3-scale";
 
 import type { Report, Statistic } from "../data/data";
@@ -71,10 +71,12 @@ function metricPlot(id: string, sweep: Sweep, metric: Statistic, palette: Palett
   const xs = lines.flatMap((l) => l.points.map((p) => p.x));
   const span = [Math.min(...xs), Math.max(...xs)];
   if (span[0] === span[1]) return null;
-  const x = scaleLinear().domain(span).range([kMargin.left + 14, kWidth - kMargin.right]);
+  const x = (sweep.ratios ? scaleLog() : scaleLinear()).domain(span)
+    .range([kMargin.left + 14, kWidth - kMargin.right]);
   const y = yScale(lines, metric);
   const root = frame(titleOf(metric, sweep));
-  drawAxes(root, { x, xName: sweep.xName, y, yName: axisName(metric), yGrid: true,
+  drawAxes(root, { x, xName: sweep.xName + (sweep.ratios ? " (logarithmic)" : ""),
+    xTicks: sweep.ratios ? axisBottom(x).ticks(5, "~g") : undefined, y, yName: axisName(metric), yGrid: true,
     yTicks: metric.rate ? axisLeft(y).ticks(5, "%") : metric.logarithmic ? axisLeft(y).ticks(5, "~g")
       : undefined });
   root.append(...lines.map((line) => drawLine(line, metric, x, y, palette)));

@@ -165,6 +165,11 @@ TEST(Sweep, RangesHaveBothEndsAndNoNoiseOfArithmetic) {
               ElementsAre("0.1", "0.2", "0.3", "0.4", "0.5"));
   EXPECT_THAT(values("{from: 0.1, to: 10, steps: 3, spacing: logarithmic}"),
               ElementsAre("0.1", "1", "10"));
+  EXPECT_THAT(values("{from: 0.1, to: 3, steps: 5, spacing: logarithmic}"),
+              ElementsAre("0.1", "0.234", "0.5477", "1.282", "3"));
+  EXPECT_THAT(values("{from: 1, to: 2, steps: 4}"), ElementsAre("1", "1.3333", "1.6667", "2"));
+  EXPECT_THAT(values("{from: 20, to: 20.5, steps: 3}"), ElementsAre("20", "20.25", "20.5"));
+  EXPECT_THAT(values("{from: 2, to: 0, steps: 3}"), ElementsAre("2", "1", "0"));
 }
 
 TEST(Sweep, TellsAxesOfOneLastKeyApart) {

@@ -226,9 +226,10 @@ TEST_F(ReportPages, DrawsEachAxisOfTheSuiteAndSaysWhatItHolds) {
   EXPECT_THAT(text("#page-sweeps"), HasSubstr("without a line: planner.policy"));
   for (const PlannerSummary& s : input.summary.groups) {
     const bool slow = s.group.vehicle.find("max_speed_m_s=1") != std::string::npos;
+    const std::string label = s.planner + (s.planner == "RRTConnect" ? ", planner.policy = a" : "");
     const std::string point =
         "document.querySelectorAll('#sweep-" + std::string(slow ? "2" : "3") +
-        "-goal_reached_share [data-planner=\"" + s.planner + "\"] .point')[" +
+        "-goal_reached_share [data-planner=\"" + label + "\"] .point')[" +
         (s.group.vehicle.find("max_range_m=0.5") != std::string::npos ? "0" : "1") + "]";
     EXPECT_NEAR(std::stod(session_->evaluate(point + ".dataset.value")),
                 s.of("goal_reached_share").value, 1e-9)
