@@ -37,6 +37,7 @@ ExitCode execute(const MergeOptions& options, const CommandContext& context);
 ExitCode execute(const StatusOptions& options, const CommandContext& context);
 ExitCode execute(const SubmitOptions& options, const CommandContext& context);
 ExitCode execute(const CancelOptions& options, const CommandContext& context);
+ExitCode execute(const TuneOptions& options, const CommandContext& context);
 
 // The suite that is asked for, as text; and where its results go.
 SuiteSource source_of(const SuiteChoice& choice);

@@ -67,6 +67,7 @@ std::vector<std::string> shard_command(const SubmitOptions& options, const Suite
   add("--planners", planners);
   add("--seed", options.seed);
   add("--repetitions", options.repetitions);
+  for (const std::string& setting : options.set) add("--set", setting);
   const std::string data = DataLocation::find(source.data_argument).folder;
   add("--data", data.empty() ? "" : absolute(data));
   for (const std::string& plugin : options.plugins) add("--plugin", absolute(plugin));

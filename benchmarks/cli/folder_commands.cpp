@@ -15,8 +15,9 @@ namespace voronaut {
 ExitCode execute(const SummaryOptions& options, const CommandContext& context) {
   const OutputFolder folder = OutputFolder::open(options.folder);
   const Summary summary = folder.summary();
-  context.out << (options.json  ? summary_json(summary) + "\n"
-                  : options.csv ? summary_csv(summary)
+  const auto axes = axis_columns(folder.store().meta("sweep").value_or(""));
+  context.out << (options.json  ? summary_json(summary, axes) + "\n"
+                  : options.csv ? summary_csv(summary, axes)
                                 : summary_text(summary) + folder.note_on_repetitions() +
                                       folder.note_on_builds());
   return ExitCode::success;

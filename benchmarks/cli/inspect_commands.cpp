@@ -3,6 +3,7 @@
 #include <ostream>
 
 #include "voronaut/benchmarks/cli/commands.h"
+#include "voronaut/benchmarks/cli/dry_run.h"
 #include "voronaut/benchmarks/isolation/child_process.h"
 #include "voronaut/benchmarks/suite/shipped_files.h"
 #include "voronaut/benchmarks/suite/suite_config.h"
@@ -105,14 +106,14 @@ ListedRows rows_of(const std::string& what) {
   return rows;
 }
 
-void check_suite(const ConfigNode& root, const CheckOptions& options,
-                 const CommandContext& context) {
-  const SuiteConfig suite = read_suite(root, options.data, context.planners);
+void check_suite(const CheckOptions& options, const CommandContext& context) {
+  SuiteChoice choice;
+  choice.suite = options.file;
+  choice.data = options.data;
+  choice.set = options.set;
+  const SuiteConfig suite = source_of(choice).read(context.planners);
   SuiteTrials::check_worlds(suite);
-  context.out << options.file << ": suite '" << suite.name << "', " << suite.scenarios.size()
-              << " scenarios x " << suite.vehicles.size() << " vehicles x " << suite.planners.size()
-              << " planners x " << suite.repetitions
-              << " repetitions = " << SuiteTrials(suite).total() << " trials\n";
+  context.out << options.file << ": " << size_text(suite) << "\n";
 }
 
 }  // namespace
@@ -139,8 +140,10 @@ ExitCode execute(const ListOptions& options, const CommandContext& context) {
 
 ExitCode execute(const CheckOptions& options, const CommandContext& context) {
   const ConfigNode root = ConfigNode::read_file(find_suite(options.file).string());
-  if (root.find("suite") || root.find("planners") || root.find("vehicles")) {
-    check_suite(root, options, context);
+  const auto keys = {"suite", "planners", "vehicles", "include"};
+  if (!options.set.empty() ||
+      std::any_of(keys.begin(), keys.end(), [&](const char* key) { return root.find(key); })) {
+    check_suite(options, context);
     return ExitCode::success;
   }
   for (const ScenarioSpec& scenario : read_scenarios(root, DataLocation::find(options.data))) {

@@ -18,6 +18,7 @@ struct SuiteChoice {
   std::string seed;  // empty: the suite's
   std::string repetitions;
   std::string data;
+  std::vector<std::string> set;      // "path=value" each
   std::vector<std::string> plugins;  // shared libraries with planners
 };
 
@@ -25,6 +26,7 @@ struct RunOptions : SuiteChoice {
   std::string out;       // empty: voronaut-results/<suite>
   std::size_t jobs = 0;  // 0: all cores but one
   std::string shard;     // "2/8"; empty: the whole suite
+  bool dry_run = false;
 };
 
 struct MergeOptions {
@@ -42,6 +44,16 @@ struct SubmitOptions : SuiteChoice {
   std::string out;         // empty: voronaut-results/<suite>
   std::size_t shards = 0;  // 0: by the number of trials
   std::size_t jobs = 1;    // in a shard
+  bool dry_run = false;
+};
+
+struct TuneOptions : SuiteChoice {  // all planners of the suite but one stay on the ground
+  std::string planner;
+  std::vector<std::string> over;  // "key=LOW:HIGH" or "key=LOW:HIGH:log"
+  std::vector<std::string> objectives{"success", "path_ratio"};
+  std::size_t candidates = 16;
+  std::string out;  // empty: voronaut-results/<suite>-tune
+  std::size_t jobs = 0;
   bool dry_run = false;
 };
 
@@ -63,6 +75,7 @@ struct ListOptions {
 struct CheckOptions {
   std::string file;
   std::string data;
+  std::vector<std::string> set;  // of a suite
   std::vector<std::string> plugins;
 };
 
@@ -135,7 +148,7 @@ struct SchemaOptions {
 using Options = std::variant<RunOptions, SummaryOptions, ListOptions, CheckOptions, ReplayOptions,
                              DigestOptions, ReportOptions, CompareOptions, EvidenceOptions,
                              PlotOptions, ShowOptions, ExportOptions, SchemaOptions, MergeOptions,
-                             StatusOptions, SubmitOptions, CancelOptions>;
+                             StatusOptions, SubmitOptions, CancelOptions, TuneOptions>;
 
 // 0: done. 1: ran, but something failed. 2: bad input.
 enum class ExitCode { success = 0, failure = 1, bad_input = 2 };

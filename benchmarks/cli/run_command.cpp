@@ -9,6 +9,8 @@
 #include <unistd.h>
 
 #include "voronaut/benchmarks/cli/commands.h"
+#include "voronaut/benchmarks/cli/dry_run.h"
+#include "voronaut/benchmarks/cli/flying.h"
 #include "voronaut/benchmarks/isolation/process_pool.h"
 #include "voronaut/benchmarks/results/build_info.h"
 #include "voronaut/benchmarks/results/merge.h"
@@ -53,24 +55,6 @@ ExitCode report_run(const RunReport& run, const OutputFolder& folder,
   return failed > 0 ? ExitCode::failure : ExitCode::success;
 }
 
-// Trials of a shard whose rows other folders of its run hold, as they do when the number of shards
-// has changed. Those of another suite or build do not count.
-std::set<std::string> flown_elsewhere(const std::filesystem::path& run, const Shard& shard,
-                                      const OutputFolder& own) {
-  std::set<std::string> ids;
-  const std::string same_count = "-of-" + std::to_string(shard.count);
-  for (const auto& folder : folders_with_results(run)) {
-    if (folder != run && folder.filename().string().ends_with(same_count)) continue;
-    const OutputFolder other = OutputFolder::open(folder);
-    if (other.store().meta("suite_identity") != own.store().meta("suite_identity") ||
-        other.builds() != own.builds())
-      continue;
-    for (std::string& id : other.store().trial_ids())
-      if (shard.holds(id)) ids.insert(std::move(id));
-  }
-  return ids;
-}
-
 // Its rows are the business of whoever merges them; that it is complete is said by its results.csv.
 ExitCode report_shard(const Shard& shard, const OutputFolder& folder,
                       const CommandContext& context) {
@@ -79,54 +63,13 @@ ExitCode report_shard(const Shard& shard, const OutputFolder& folder,
   return ExitCode::success;
 }
 
-// An engine that asks this to stop while it prepares is heard as soon as it would fly; when all is
-// flown, it ends anyhow. For the rest of the process.
-void hold_stop_signals() {
-  sigset_t signals;
-  sigemptyset(&signals);
-  sigaddset(&signals, SIGTERM);
-  sigaddset(&signals, SIGUSR1);
-  sigprocmask(SIG_BLOCK, &signals, nullptr);
-}
-
-// What of its suite a folder is to hold.
-struct Part {
-  std::optional<Shard> shard;  // else all of it
-  RunShare share;
-};
-
-ExitCode fly(const SuiteConfig& suite, const RunOptions& options, const Part& part,
-             OutputFolder& folder, const CommandContext& context) {
-  const FlyTrial trial = [&context](const TrialSpec& spec, bool keep_trace) {
-    return run_trial(spec, context.planners, keep_trace);
-  };
-  Progress progress(context.err, isatty(STDERR_FILENO) != 0,
-                    SuiteTrials(suite).total() / part.share.shard.count,
-                    std::chrono::steady_clock::now());
-  const std::size_t jobs = options.jobs > 0 ? options.jobs : ProcessPool::default_jobs();
-  SharedReferences shared(folder.path(), "references-" + program_id().substr(0, 12) + ".txt");
-  ShortestReferences references =
-      part.shard ? ShortestReferences(shared.sharing(isolated_length())) : isolated_references();
-  const RunReport run =
-      run_suite(suite, trial, jobs, references, folder.store(), progress, part.share);
-  if (run.stopped) {
-    context.err << "voronaut: asked to stop; the same command goes on from here" << std::endl;
-    return ExitCode::success;
-  }
-  if (run.interrupted) {
-    context.err << "voronaut: interrupted; the same command goes on from here" << std::endl;
-    return ExitCode::failure;
-  }
-  return part.shard ? report_shard(*part.shard, folder, context) : report_run(run, folder, context);
-}
-
 }  // namespace
 
 SuiteSource source_of(const SuiteChoice& choice) {
   const std::string file = find_suite(choice.suite).string();
   const std::string text = read_text_file(file);
   ConfigNode::parse(text, file);  // says what is wrong with the file itself
-  return {file, text, choice.data, choice.seed, choice.repetitions};
+  return {file, text, choice.data, choice.seed, choice.repetitions, {}, choice.set};
 }
 
 std::filesystem::path run_folder(const std::string& out, const SuiteConfig& suite) {
@@ -145,6 +88,10 @@ ExitCode execute(const RunOptions& options, const CommandContext& context) {
   const std::filesystem::path run = run_folder(options.out, suite);
   Part part;
   if (!options.shard.empty()) part.shard = part.share.shard = Shard::parse(options.shard);
+  if (options.dry_run) {
+    print_dry_run({source, suite, whole, run, part.share.shard, options.jobs}, context);
+    return ExitCode::success;
+  }
   const OutputFolder::Place place{part.shard ? shards_in(run) / part.shard->folder_name() : run,
                                   !options.out.empty(), part.shard.has_value()};
   OutputFolder folder = OutputFolder::prepare(place, source, whole, context.err);
@@ -155,7 +102,10 @@ ExitCode execute(const RunOptions& options, const CommandContext& context) {
     }
     folder.write_manifest(
         manifest_json(source, suite, context.command_line, utc_now(), options.shard));
-    return fly(suite, options, part, folder, context);
+    const FlownPart flown = fly_missing(suite, options.jobs, part, folder, context);
+    if (flown.ended) return *flown.ended;
+    return part.shard ? report_shard(*part.shard, folder, context)
+                      : report_run(flown.run, folder, context);
   } catch (const std::exception& error) {  // the input was fine: a full disk, no more processes
     context.err << "voronaut: " << error.what() << std::endl;
     return ExitCode::failure;

@@ -79,6 +79,7 @@ SuiteSource source_of_status(const StatusOptions& options,
   SuiteSource source = OutputFolder::open(folders.front()).source();
   if (!options.seed.empty()) source.seed = options.seed;
   if (!options.repetitions.empty()) source.repetitions = options.repetitions;
+  source.set.insert(source.set.end(), options.set.begin(), options.set.end());
   return source;
 }
 

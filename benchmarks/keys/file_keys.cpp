@@ -54,6 +54,8 @@ KeyFact parameter_fact(const ompl::base::GenericParam& param) {
   return fact;
 }
 
+}  // namespace
+
 std::vector<KeyFact> parameters_of(const PlannerEntry& entry) {
   PlanningProblem problem({.bounds_world = {Vec2(-1, -1), Vec2(1, 1)}});
   const auto planner = entry.make(problem.space_information());
@@ -62,6 +64,8 @@ std::vector<KeyFact> parameters_of(const PlannerEntry& entry) {
     facts.push_back(parameter_fact(*param));
   return facts;
 }
+
+namespace {
 
 void add_scenario_keys(FileKeys& keys) {
   keys.task = key_facts(TaskConfig{});
@@ -86,6 +90,7 @@ FileKeys file_keys(const PlannerCatalog& planners) {
   keys.regulator = key_facts(RegulatorEntryKeys{});
   keys.planner = key_facts(PlannerEntryKeys{});
   keys.criterion = key_facts(AcceptanceCriterion{});
+  keys.sweep_range = key_facts(SweepRange{});
   for (const std::string& name : vehicle_names()) {
     keys.vehicle_params.push_back({name, key_facts(find_vehicle(name))});
     keys.vehicle_models.push_back({name, facts_of(find_vehicle(name).model)});

@@ -19,7 +19,7 @@ struct NamedKeys {
 struct FileKeys {
   std::vector<KeyFact> suite;
   // One entry of each list of a suite.
-  std::vector<KeyFact> vehicle, regulator, planner, criterion;
+  std::vector<KeyFact> vehicle, regulator, planner, criterion, sweep_range;
   std::vector<NamedKeys> vehicle_params, vehicle_models, regulators, planners;
 
   // A scenario, by what its world comes from; each but `file` takes the keys of `task` beside.
@@ -29,6 +29,9 @@ struct FileKeys {
   std::vector<KeyFact> query_file;       // of `queries` as a map, beside query_selection
   std::vector<KeyFact> query_selection;
 };
+
+// What a planner declares about its parameters. Makes it, in this process.
+std::vector<KeyFact> parameters_of(const PlannerEntry& entry);
 
 // Makes each planner once, in this process.
 FileKeys file_keys(const PlannerCatalog& planners);

@@ -208,11 +208,30 @@ Json list_of(Json items) {
   return {{"type", "array"}, {"minItems", 1}, {"items", std::move(items)}};
 }
 
+// Values by path: a list of them, or from, to and how many.
+Json sweep_schema(const FileKeys& keys) {
+  Json range = object_schema(keys.sweep_range);
+  range["required"] = {"from", "to", "steps"};
+  Json value = {{"type", {"string", "number", "boolean"}}};
+  Json axes = {{"type", "object"}};
+  axes["additionalProperties"] = {{"anyOf", {list_of(std::move(value)), std::move(range)}}};
+  Json sweep = axes;
+  sweep["properties"]["zipped"] = axes;
+  return sweep;
+}
+
+// A file that includes others may leave to them what a suite must say.
+Json said_or_included(const std::vector<std::string>& needed) {
+  return {{"anyOf", {Json{{"required", needed}}, Json{{"required", {"include"}}}}}};
+}
+
 }  // namespace
 
 std::string suite_schema(const FileKeys& keys) {
   Json suite = object_schema(keys.suite);
-  suite["required"] = {"suite", "scenarios", "vehicles", "planners"};
+  suite.update(said_or_included({"suite", "scenarios", "vehicles", "planners"}));
+  put(suite, "include", {{"anyOf", {Json{{"type", "string"}}, list_of({{"type", "string"}})}}});
+  put(suite, "sweep", sweep_schema(keys));
   Json sources = scenario_sources(keys);
   Json file = object_schema(keys.file);
   file["required"] = {"file"};

@@ -72,7 +72,9 @@ std::string scenario_text(const FileKeys& keys) {
 }
 
 std::string vehicle_text(const FileKeys& keys) {
-  return heading(2, "Vehicles") + "An entry of `vehicles` is a name or a map:\n\n" +
+  return heading(2, "Vehicles") +
+         "An entry of `vehicles` is a name or a map; its sections hold instead of the suite's, key "
+         "by key:\n\n" +
          table(keys.vehicle) + heading(3, "`params`") + named_tables(keys.vehicle_params, 4) +
          heading(3, "`model`") + named_tables(keys.vehicle_models, 4) + heading(3, "`regulator`") +
          "A name or a map:\n\n" + table(keys.regulator) + named_tables(keys.regulators, 4);
@@ -108,7 +110,9 @@ std::string keys_page(const FileKeys& keys) {
          "A file that says nothing of a key gets the default. Bounds are inclusive.\n\n" +
          heading(2, "Suites") + with_sections(keys.suite, 3) + heading(3, "`acceptance`") +
          "Each entry says what the results must show:\n\n" + table(keys.criterion) +
-         scenario_text(keys) + vehicle_text(keys) + planner_text(keys) + renamed_keys_text();
+         heading(3, "`sweep`") + "Values by path, a list or a map ([sweeps.md](sweeps.md)):\n\n" +
+         table(keys.sweep_range) + scenario_text(keys) + vehicle_text(keys) + planner_text(keys) +
+         renamed_keys_text();
 }
 
 }  // namespace voronaut

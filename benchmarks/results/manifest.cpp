@@ -4,6 +4,8 @@
 
 #include "voronaut/benchmarks/results/build_info.h"
 #include "voronaut/benchmarks/suite/config_json.h"
+#include "voronaut/benchmarks/suite/suite_includes.h"
+#include "voronaut/benchmarks/suite/suite_paths.h"
 #include "voronaut/benchmarks/trial/sha256.h"
 #include "voronaut/environments/scenario/scenario_spec.h"
 
@@ -25,11 +27,13 @@ Json variant_json(const std::variant<Configs...>& config) {
 }
 
 Json vehicle_json(const VehicleEntry& entry) {
-  return {
+  Json json = {
       {"label", entry.vehicle.name},
       {"params", config_json(entry.vehicle)},
       {"model", variant_json(entry.vehicle.model)},
       {"regulator", {{"name", entry.regulator_name}, {"params", variant_json(entry.regulator)}}}};
+  if (entry.flight) json["flight"] = config_json(*entry.flight);
+  return json;
 }
 
 Json planner_json(const PlannerSpec& planner) {
@@ -75,6 +79,7 @@ Json full_json(const SuiteConfig& suite) {
       json["scenarios"][i]["definition"] = suite.scenarios[i].definition();
   const Json all = config_json(suite);
   for (const char* key : kNotDefining) json[key] = all.at(key);
+  if (!suite.sweep.empty()) json["sweep"] = Json::parse(axis_columns_json(columns_of(suite.sweep)));
   return json;
 }
 
@@ -88,9 +93,25 @@ Json build_json() {
 
 }  // namespace
 
+namespace {
+
+// While a FileSession lives.
+ConfigNode root_of(const SuiteSource& source) {
+  ConfigNode root = with_includes(ConfigNode::parse(source.text, source.file));
+  for (const std::string& setting : source.set) root = with_setting(root, setting);
+  return root;
+}
+
+}  // namespace
+
+ConfigNode SuiteSource::root() const {
+  const FileSession session(files);
+  return root_of(*this);
+}
+
 SuiteConfig SuiteSource::read(const PlannerCatalog& planners) {
   FileSession session(files);
-  SuiteConfig suite = read_suite(ConfigNode::parse(text, file), data_argument, planners);
+  SuiteConfig suite = read_suite(root_of(*this), data_argument, planners);
   if (!seed.empty()) suite.seed = std::stoull(seed);
   if (!repetitions.empty()) suite.repetitions = std::stoi(repetitions);
   if (files.empty()) files = session.read();
@@ -113,6 +134,7 @@ std::string manifest_json(const SuiteSource& source, const SuiteConfig& suite,
                    {"suite_file", source.file},
                    {"suite_text", source.text},
                    {"configuration", full_json(suite)}};
+  if (!source.set.empty()) manifest["set"] = source.set;
   if (!shard.empty()) manifest["shard"] = shard;
   return manifest.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }

@@ -21,7 +21,10 @@ struct SuiteSource {
   // Copies of the files that it names, by absolute path: taken when it is read first, read from
   // then on, so that it is the same suite wherever and whenever.
   FileSession::Files files{};
+  std::vector<std::string> set{};  // "path=value" each: replaces what the file says (suite_paths.h)
 
+  // The suite's root with what it includes and what is set. Throws ConfigError.
+  ConfigNode root() const;
   // Throws ConfigError, std::invalid_argument.
   SuiteConfig read(const PlannerCatalog& planners);
 };

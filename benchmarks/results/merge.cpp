@@ -41,6 +41,8 @@ ResultStore::Meta common_meta(const std::vector<paths::path>& folders, bool mixe
     for (const char* key :
          {"suite_identity", "program_sha256", "suite_file", "suite_text", "data", "seed"})
       meta.emplace(key, part.store().meta(key).value_or(""));
+    for (const char* key : {"set", "sweep"})
+      if (const auto given = part.store().meta(key)) meta.emplace(key, *given);
     if (part.store().meta("suite_identity") != meta.at("suite_identity"))
       throw std::invalid_argument(folder.string() + ": holds results of another suite, or of " +
                                   "another version of it, than " + folders.front().string());

@@ -106,14 +106,17 @@ std::string builds_with_this(const ResultStore& store) {
 
 ResultStore::Meta meta_of(const SuiteSource& source, const SuiteConfig& suite) {
   const std::string data = DataLocation::find(source.data_argument).folder;
-  return {{"suite_identity", suite_identity(suite)},
-          {"program_sha256", program_id()},
-          {"builds", this_build() + "\n"},
-          {"suite_file", fs::absolute(source.file).lexically_normal().string()},
-          {"suite_text", source.text},
-          {"data", data.empty() ? "" : fs::absolute(data).string()},
-          {"seed", source.seed},
-          {"repetitions", std::to_string(suite.repetitions)}};
+  ResultStore::Meta meta{{"suite_identity", suite_identity(suite)},
+                         {"program_sha256", program_id()},
+                         {"builds", this_build() + "\n"},
+                         {"suite_file", fs::absolute(source.file).lexically_normal().string()},
+                         {"suite_text", source.text},
+                         {"data", data.empty() ? "" : fs::absolute(data).string()},
+                         {"seed", source.seed},
+                         {"repetitions", std::to_string(suite.repetitions)}};
+  if (!source.set.empty()) meta["set"] = nlohmann::json(source.set).dump();
+  if (!suite.sweep.empty()) meta["sweep"] = axis_columns_json(columns_of(suite.sweep));
+  return meta;
 }
 
 std::string text_of(const fs::path& file) {
@@ -147,6 +150,8 @@ OutputFolder OutputFolder::prepare(const Place& place, const SuiteSource& source
     const Mismatch mismatch = compare(store, meta);
     if (may_continue(place, mismatch, notes)) {
       meta["builds"] = builds_with_this(store);
+      for (const char* key : {"set", "sweep"})  // of a run before, which this one does not have
+        if (store.meta(key)) meta.try_emplace(key, "[]");
       store.set_meta(meta);
       store.keep_files(source.files);
       return {place.folder, std::move(lock), std::move(store)};
@@ -163,8 +168,11 @@ OutputFolder OutputFolder::open(const fs::path& folder) {
 
 SuiteSource OutputFolder::source() const {
   const auto meta = [&](const char* key) { return store_.meta(key).value_or(""); };
-  return {meta("suite_file"), meta("suite_text"),  meta("data"),
-          meta("seed"),       meta("repetitions"), store_.kept_files()};
+  SuiteSource source{meta("suite_file"), meta("suite_text"),  meta("data"),
+                     meta("seed"),       meta("repetitions"), store_.kept_files()};
+  if (const auto set = store_.meta("set"))
+    source.set = nlohmann::json::parse(*set).get<std::vector<std::string>>();
+  return source;
 }
 
 Summary OutputFolder::summary() const {

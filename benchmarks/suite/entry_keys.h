@@ -1,9 +1,13 @@
 #pragma once
 
+#include "voronaut/benchmarks/trial/flight_config.h"
+
 // The keys of the entries of a suite's lists, which are read by hand (suite_entries.cpp).
 namespace voronaut {
 
 struct VehicleEntryKeys {
+  FlightConfig flight;
+
   template <class Visitor>
   void visit(Visitor& v) {
     v.form("name", "text", "Of the vehicle");
@@ -11,6 +15,7 @@ struct VehicleEntryKeys {
     v.form("params", "section", "Its size and limits");
     v.form("model", "section", "Parameters of its model");
     v.form("regulator", "text", "By its name, or {name, params}; none: the vehicle's own");
+    flight.visit(v);  // instead of the suite's, key by key
   }
 };
 

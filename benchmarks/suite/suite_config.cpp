@@ -47,19 +47,22 @@ std::vector<Item> read_list(const ConfigNode& node, const Read& read, const Name
   return items;
 }
 
-DataLocation data_location(const ConfigNode& root, const std::string& data_argument,
-                           const std::string& named) {
+DataLocation data_location(const ConfigNode& root, const std::string& data_argument) {
   DataLocation data = DataLocation::find(data_argument);
-  if (data.folder.empty() && !named.empty()) data = {root.beside(named), "key 'data'"};
+  const auto named = root.find("data");
+  if (data.folder.empty() && named && !named->text().empty())
+    data = {named->beside(named->text()), "key 'data'"};
   return data;
 }
 
 void read_contents(const ConfigNode& root, const std::string& data_argument,
                    const PlannerCatalog& planners, SuiteConfig& suite) {
-  const DataLocation data = data_location(root, data_argument, suite.data);
+  const DataLocation data = data_location(root, data_argument);
   suite.vehicles = read_list<VehicleEntry>(
       root.child("vehicles"),
-      [](const ConfigNode& entry) { return std::vector<VehicleEntry>{read_vehicle(entry)}; },
+      [&](const ConfigNode& entry) {
+        return std::vector<VehicleEntry>{read_vehicle(entry, suite.flight)};
+      },
       [](const VehicleEntry& entry) { return entry.vehicle.name; }, "give this one a label");
   suite.planners = read_list<PlannerSpec>(
       root.child("planners"),
@@ -72,6 +75,20 @@ void read_contents(const ConfigNode& root, const std::string& data_argument,
       [](const ScenarioSpec& scenario) { return scenario.name(); }, "give this one another name");
 }
 
+// What planners of their own navigation have on vehicles of their own flight.
+void read_navigation_of_vehicles(const ConfigNode& root, SuiteConfig& suite) {
+  const std::vector<ConfigNode> entries = root.child("planners").items();
+  for (VehicleEntry& vehicle : suite.vehicles) {
+    if (!vehicle.flight) continue;
+    for (std::size_t i = 0; i < suite.planners.size(); ++i) {
+      if (!suite.planners[i].navigation) continue;
+      NavigationConfig own = vehicle.flight->navigation;
+      read_into(entries[i].child("navigation"), own);
+      vehicle.navigation.emplace(suite.planners[i].label, own);
+    }
+  }
+}
+
 // Why the safety governor cannot keep a vehicle from touching, empty if it can.
 std::string why_no_stop(const VehicleEntry& entry, double period_s) {
   try {
@@ -82,28 +99,36 @@ std::string why_no_stop(const VehicleEntry& entry, double period_s) {
   return {};
 }
 
-// Where a navigation key of a planner is said: with it, for all, or nowhere and then at its entry.
-ConfigNode place_of_key(const ConfigNode& root, const ConfigNode& planner, const char* key) {
-  const auto own = planner.is_map() ? planner.find("navigation") : std::nullopt;
-  for (const auto& section : {own, root.find("navigation")})
+std::optional<ConfigNode> navigation_in(const ConfigNode& entry) {
+  return entry.is_map() ? entry.find("navigation") : std::nullopt;
+}
+
+// Where a navigation key of a planner is said: with it, with the vehicle, for all, or nowhere and
+// then at its entry.
+ConfigNode place_of_key(const ConfigNode& root, const ConfigNode& planner,
+                        const ConfigNode& vehicle, const char* key) {
+  for (const auto& section :
+       {navigation_in(planner), navigation_in(vehicle), root.find("navigation")})
     if (const auto node = section ? section->find(key) : std::nullopt) return *node;
   return planner;
 }
 
 // Holds what the planners are flown with against what one of the vehicles can do.
-void require_able(const ConfigNode& root, const SuiteConfig& suite, const VehicleEntry& vehicle) {
+void require_able(const ConfigNode& root, const SuiteConfig& suite, std::size_t which) {
+  const VehicleEntry& vehicle = suite.vehicles[which];
   const std::string who = "vehicle " + in_quotes(vehicle.vehicle.name);
-  const std::string no_stop = why_no_stop(vehicle, suite.flight.loop.vehicle_period_s);
+  const double period_s = vehicle.flight.value_or(suite.flight).loop.vehicle_period_s;
+  const std::string no_stop = why_no_stop(vehicle, period_s);
   const bool looks_anywhere = mobility_of(vehicle.vehicle).moves_sideways;
+  const ConfigNode vehicle_entry = root.child("vehicles").items()[which];
   const std::vector<ConfigNode> entries = root.child("planners").items();
   for (std::size_t i = 0; i < suite.planners.size(); ++i) {
-    const NavigationConfig& navigation =
-        suite.planners[i].navigation.value_or(suite.flight.navigation);
+    const NavigationConfig navigation = flight_of(suite, vehicle, suite.planners[i]).navigation;
     if (navigation.governor && !no_stop.empty())
-      throw place_of_key(root, entries[i], "governor")
+      throw place_of_key(root, entries[i], vehicle_entry, "governor")
           .error("no governor for " + who + ": " + no_stop + " (allowed: false)");
     if (navigation.yaw_policy != YawReference::path && !looks_anywhere)
-      throw place_of_key(root, entries[i], "yaw_policy")
+      throw place_of_key(root, entries[i], vehicle_entry, "yaw_policy")
           .error("navigation.yaw_policy 'fixed' is not for " + who +
                  ", which looks where it drives (allowed: path)");
   }
@@ -111,30 +136,53 @@ void require_able(const ConfigNode& root, const SuiteConfig& suite, const Vehicl
 
 }  // namespace
 
-SuiteConfig read_suite(const ConfigNode& root, const std::string& data_argument,
+SuiteConfig read_suite(const ConfigNode& with_sweep, const std::string& data_argument,
                        const PlannerCatalog& planners) {
   SuiteConfig suite;
+  const auto [root, axes] = without_sweep(with_sweep);
+  suite.sweep = axes;
   read_into(root, suite);
   suite.name = read_name(root.child("suite"));
   read_contents(root, data_argument, planners, suite);
+  read_navigation_of_vehicles(root, suite);
   if (suite.kind == TrialKind::flown)
-    for (const VehicleEntry& vehicle : suite.vehicles) require_able(root, suite, vehicle);
+    for (std::size_t i = 0; i < suite.vehicles.size(); ++i) require_able(root, suite, i);
   if (const auto acceptance = root.find("acceptance"))
     for (const ConfigNode& entry : acceptance->items())
       suite.acceptance.push_back(read_criterion(entry, suite));
   return suite;
 }
 
+FlightConfig flight_of(const SuiteConfig& suite, const VehicleEntry& vehicle,
+                       const PlannerSpec& planner) {
+  FlightConfig flight = vehicle.flight.value_or(suite.flight);
+  const auto own = vehicle.navigation.find(planner.label);
+  if (own != vehicle.navigation.end()) {
+    flight.navigation = own->second;
+  } else if (planner.navigation) {
+    flight.navigation = *planner.navigation;
+  }
+  return flight;
+}
+
 void keep_planners(SuiteConfig& suite, const std::vector<std::string>& labels) {
+  std::map<std::string, std::string> base_of;
+  for (const SweepAxis& axis : suite.sweep)
+    if (axis.column == "planner")
+      for (const SweptEntry& entry : axis.entries) base_of[entry.label] = entry.base;
   std::vector<std::string> known;
   for (const PlannerSpec& planner : suite.planners) known.push_back(planner.label);
+  for (const auto& [label, base] : base_of)
+    if (std::find(known.begin(), known.end(), base) == known.end()) known.push_back(base);
   for (const std::string& label : labels) {
     if (std::find(known.begin(), known.end(), label) == known.end())
       throw std::invalid_argument("no planner " + in_quotes(label) + " in suite '" + suite.name +
                                   "'" + allowed_names(label, known));
   }
   std::erase_if(suite.planners, [&](const PlannerSpec& planner) {
-    return std::find(labels.begin(), labels.end(), planner.label) == labels.end();
+    return std::none_of(labels.begin(), labels.end(), [&](const std::string& label) {
+      return label == planner.label || label == base_of[planner.label];
+    });
   });
 }
 

@@ -2,11 +2,14 @@
 
 #include <cstdint>
 #include <limits>
+#include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "voronaut/benchmarks/isolation/child_process.h"
 #include "voronaut/benchmarks/suite/acceptance_criterion.h"
+#include "voronaut/benchmarks/suite/sweep.h"
 #include "voronaut/benchmarks/trial/trial.h"
 #include "voronaut/environments/config/config_node.h"
 #include "voronaut/environments/scenario/scenario_spec.h"
@@ -34,6 +37,9 @@ struct VehicleEntry {
   VehicleSpec vehicle;
   std::string regulator_name;
   RegulatorConfig regulator;
+  std::optional<FlightConfig> flight = std::nullopt;  // instead of the suite's
+  // Of planners that have their own, by label, over that flight.
+  std::map<std::string, NavigationConfig> navigation = {};
 };
 
 struct SuiteConfig {
@@ -46,6 +52,7 @@ struct SuiteConfig {
   std::vector<ScenarioSpec> scenarios;  // names unique
   std::vector<VehicleEntry> vehicles;   // labels unique
   std::vector<PlannerSpec> planners;    // labels unique
+  std::vector<SweepAxis> sweep;         // what made many entries of one; they are in the lists
   FlightConfig flight;
   TrialLimits limits;
   TraceKeeping traces = TraceKeeping::all;
@@ -53,6 +60,8 @@ struct SuiteConfig {
 
   template <class Visitor>
   void visit(Visitor& v) {
+    v.form("include", "[file, ...]",
+           "Suite files beside this one, whose keys hold where it has none");
     v.text("suite", name, "Its name: letters, digits, '-', '_' and '.'; becomes a folder");
     v.choice("kind", kind, {{"flown", TrialKind::flown}, {"static", TrialKind::static_planning}},
              "Discover the world while flying through it, or plan once with all of it given");
@@ -66,6 +75,7 @@ struct SuiteConfig {
     v.form("scenarios", "[scenario, ...]", "What is flown");
     v.form("vehicles", "[vehicle, ...]", "What flies");
     v.form("planners", "[planner, ...]", "Who plans");
+    v.form("sweep", "section", "Values by path that all of them fly at (sweeps.md)");
     flight.visit(v);
     v.section("limits", limits, "What the process of a trial may take");
     v.choice("traces", traces,
@@ -84,7 +94,9 @@ struct SuiteConfig {
 //   vehicles: [quadrotor, {name: quadrotor, label: slow, params: {max_speed_m_s: 1},
 //              model: {...}, regulator: pd_rate | {name: pd_rate, params: {...}}}]
 //   planners: [RRTConnect, {name: RRTConnect, label: greedy, params: {range: 0.5},
-//              navigation: {...}}]   its own instead of the suite's, key by key
+//              navigation: {...}}]   its own instead of the suite's, key by key; so may a
+//                                    vehicle have all sections of FlightConfig
+//   sweep: {vehicle.max_speed_m_s: [1, 2]}   see sweep.h
 //   acceptance: [{planner: RRTConnect, goal_reached_share_min: 1}]   see acceptance_criterion.h
 //   and the other keys of SuiteConfig
 //
@@ -95,15 +107,20 @@ struct SuiteConfig {
 SuiteConfig read_suite(const ConfigNode& root, const std::string& data_argument,
                        const PlannerCatalog& planners);
 
-// One entry of `vehicles` and of `planners`; `navigation` is the suite's.
-VehicleEntry read_vehicle(const ConfigNode& entry);
+// One entry of `vehicles` and of `planners`; `flight` and `navigation` are the suite's.
+VehicleEntry read_vehicle(const ConfigNode& entry, const FlightConfig& flight);
 PlannerSpec read_planner(const ConfigNode& entry, const PlannerCatalog& planners,
                          const NavigationConfig& navigation);
 // One entry of `acceptance`; what it is about must be in the suite.
 AcceptanceCriterion read_criterion(const ConfigNode& entry, const SuiteConfig& suite);
 
-// Keeps only the planners with these labels; throws std::invalid_argument for one that is not
-// there.
+// How a planner's trials on a vehicle are flown: the planner's own navigation wins over what the
+// vehicle has of its own, that over the suite's.
+FlightConfig flight_of(const SuiteConfig& suite, const VehicleEntry& vehicle,
+                       const PlannerSpec& planner);
+
+// Keeps only the planners with these labels, or all that a sweep made of one; throws
+// std::invalid_argument for one that is not there.
 void keep_planners(SuiteConfig& suite, const std::vector<std::string>& labels);
 
 }  // namespace voronaut

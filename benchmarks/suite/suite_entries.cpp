@@ -79,6 +79,13 @@ void read_own_label(const ConfigNode& entry, std::string& label) {
   label = read_label(*node);
 }
 
+void read_own_flight(const ConfigNode& entry, const FlightConfig& flight, VehicleEntry& read) {
+  const auto sections = key_names<FlightConfig>();
+  const bool any = std::any_of(sections.begin(), sections.end(),
+                               [&](const std::string& key) { return entry.find(key).has_value(); });
+  if (any) read_present_keys(entry, keys_of(read.flight.emplace(flight)));
+}
+
 // A planner is made, and given parameters, in a process of its own: it may throw, abort or hang.
 constexpr ProcessLimits kTryLimits{.memory_mb = 4096, .cpu_s = 10, .wall_s = 10};
 
@@ -118,7 +125,7 @@ void require_parameters(const ConfigNode& entry, const PlannerEntry& planner,
 
 }  // namespace
 
-VehicleEntry read_vehicle(const ConfigNode& entry) {
+VehicleEntry read_vehicle(const ConfigNode& entry, const FlightConfig& flight) {
   if (entry.is_map()) entry.allow_only(key_names<VehicleEntryKeys>());
   VehicleEntry read;
   read.vehicle = find_vehicle(known_name(name_node(entry), "vehicle", vehicle_names()));
@@ -128,6 +135,7 @@ VehicleEntry read_vehicle(const ConfigNode& entry) {
   if (entry.is_map()) {
     if (const auto params = entry.find("params")) read_into(*params, read.vehicle);
     read_params(entry, "model", read.vehicle.model);
+    read_own_flight(entry, flight, read);
     regulator_node = entry.find("regulator");
   }
   if (regulator_node) {

@@ -25,16 +25,41 @@ SuiteTrials::SuiteTrials(const SuiteConfig& suite, Rehearse rehearse, Shard shar
     const auto repetitions = static_cast<std::size_t>(once ? 1 : suite.repetitions);
     for (std::size_t i = 0; i < repetitions; ++i) visits_.push_back({scenario, i});
   }
+  for (const ScenarioSpec& scenario : suite.scenarios)
+    scenario_steps_.push_back(zipped_step(suite.sweep, "scenario", scenario.name()));
+  for (const VehicleEntry& vehicle : suite.vehicles)
+    vehicle_steps_.push_back(zipped_step(suite.sweep, "vehicle", vehicle.vehicle.name));
+  for (const PlannerSpec& planner : suite.planners)
+    planner_steps_.push_back(zipped_step(suite.sweep, "planner", planner.label));
   const std::size_t first = visits_.size() * (shard.number - 1) / shard.count;
   std::rotate(visits_.begin(), visits_.begin() + static_cast<std::ptrdiff_t>(first), visits_.end());
 }
 
-std::size_t SuiteTrials::total() const {
-  return visits_.size() * suite_.vehicles.size() * suite_.planners.size();
+std::size_t SuiteTrials::in_world() const {
+  return suite_.vehicles.size() * suite_.planners.size();
 }
 
-const SuiteTrials::Visit& SuiteTrials::visit() const {
-  return visits_[next_ / (suite_.vehicles.size() * suite_.planners.size())];
+std::size_t SuiteTrials::total() const {
+  std::vector<std::size_t> in_scenario(suite_.scenarios.size(), 0);
+  for (std::size_t s = 0; s < in_scenario.size(); ++s)
+    for (std::size_t v = 0; v < suite_.vehicles.size(); ++v)
+      for (std::size_t p = 0; p < suite_.planners.size(); ++p)
+        in_scenario[s] += meet(s, v, p) ? 1 : 0;
+  std::size_t sum = 0;
+  for (const Visit& visit : visits_) sum += in_scenario[visit.scenario];
+  return sum;
+}
+
+const SuiteTrials::Visit& SuiteTrials::visit() const { return visits_[next_ / in_world()]; }
+
+bool SuiteTrials::meet(std::size_t scenario, std::size_t vehicle, std::size_t planner) const {
+  std::optional<std::size_t> step;
+  for (const auto& own :
+       {scenario_steps_[scenario], vehicle_steps_[vehicle], planner_steps_[planner]}) {
+    if (own && step && *own != *step) return false;
+    if (own) step = own;
+  }
+  return true;
 }
 
 std::optional<PlannedTrial> SuiteTrials::next() {
@@ -44,14 +69,16 @@ std::optional<PlannedTrial> SuiteTrials::next() {
 }
 
 std::optional<PlannedTrial> SuiteTrials::next_of_suite() {
-  if (next_ == total()) return std::nullopt;
-  const std::size_t in_world = suite_.vehicles.size() * suite_.planners.size();
-  if (next_ % in_world == 0) enter_world();
-  const std::size_t index = next_ % in_world;
-  PlannedTrial planned = trial(suite_.vehicles[index / suite_.planners.size()],
-                               suite_.planners[index % suite_.planners.size()]);
-  ++next_;
-  return planned;
+  for (; next_ < visits_.size() * in_world(); ++next_) {
+    const std::size_t vehicle = next_ % in_world() / suite_.planners.size();
+    const std::size_t planner = next_ % suite_.planners.size();
+    if (vehicle == 0 && planner == 0) enter_world();
+    if (!meet(visit().scenario, vehicle, planner)) continue;
+    PlannedTrial planned = trial(suite_.vehicles[vehicle], suite_.planners[planner]);
+    ++next_;
+    return planned;
+  }
+  return std::nullopt;
 }
 
 void SuiteTrials::enter_world() {
@@ -92,8 +119,7 @@ PlannedTrial SuiteTrials::trial(const VehicleEntry& vehicle, const PlannerSpec& 
   spec.regulator_name = vehicle.regulator_name;
   spec.regulator = vehicle.regulator;
   spec.planner = planner;
-  spec.flight = suite_.flight;
-  if (planner.navigation) spec.flight.navigation = *planner.navigation;
+  spec.flight = flight_of(suite_, vehicle, planner);
   spec.repetition = static_cast<std::int64_t>(repetition);
   spec.planner_seed = derive_seed(suite_.seed, {scenario_.name, planner.label}, repetition);
   spec.trial_id = trial_id(spec);

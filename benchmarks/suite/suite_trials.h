@@ -23,7 +23,7 @@ struct PlannedTrial {
 // Worlds are made when it is their turn and shared by the trials in them. The seed of a world comes
 // from (suite seed, scenario, repetition), so every planner and vehicle meets the same world; the
 // planner's from (suite seed, scenario, planner label, repetition). Wheeled vehicles drive at
-// height 0.
+// height 0. Entries that a zipped sweep made meet in step only.
 class SuiteTrials {
  public:
   // Does the work of making a world where it can do no harm and says what became of it: empty if
@@ -48,7 +48,9 @@ class SuiteTrials {
   };
 
   std::optional<PlannedTrial> next_of_suite();
-  const Visit& visit() const;  // that the next trial belongs to
+  const Visit& visit() const;    // that the next trial belongs to
+  std::size_t in_world() const;  // all pairs of a vehicle and a planner
+  bool meet(std::size_t scenario, std::size_t vehicle, std::size_t planner) const;
   void enter_world();
   void make_world(const ScenarioSpec& source, std::uint64_t seed);
   PlannedTrial trial(const VehicleEntry& vehicle, const PlannerSpec& planner) const;
@@ -57,6 +59,9 @@ class SuiteTrials {
   Rehearse rehearse_;
   Shard shard_;
   std::vector<Visit> visits_;
+  // Of the zipped axes of a sweep, for each entry of the lists.
+  using Steps = std::vector<std::optional<std::size_t>>;
+  Steps scenario_steps_, vehicle_steps_, planner_steps_;
   std::size_t next_ = 0;
   std::optional<std::size_t> made_;  // the scenario whose world is at hand
   Scenario scenario_;

@@ -69,14 +69,25 @@ ConfigNode ConfigNode::read_file(const std::string& path) {
 }
 
 ConfigNode ConfigNode::parse(const std::string& text, const std::string& file) {
-  ConfigNode root(parse_yaml(text, file), std::make_shared<const std::string>(file), "", 1);
+  ConfigNode root(parse_yaml(text, file),
+                  std::make_shared<const ConfigOrigin>(ConfigOrigin{file, file}), "", 1);
   root.line_ = root.tree_->line;
   if (!root.is_map()) throw root.expected("a map of keys");
   return root;
 }
 
+const std::string& ConfigNode::file() const { return origin_->file; }
+
+std::string ConfigNode::place() const {
+  return origin_->called + (origin_->has_lines ? ":" + std::to_string(line_) : "");
+}
+
+ConfigNode ConfigNode::below(const Tree& tree, std::string path, int line) const {
+  return ConfigNode(tree, tree->origin ? tree->origin : origin_, std::move(path), line);
+}
+
 std::string ConfigNode::beside(const std::string& relative) const {
-  return (std::filesystem::path(*file_).parent_path() / relative).lexically_normal().string();
+  return (std::filesystem::path(file()).parent_path() / relative).lexically_normal().string();
 }
 
 bool ConfigNode::is_map() const { return tree_->kind == ConfigTree::Kind::map; }
@@ -125,8 +136,8 @@ std::vector<ConfigNode> ConfigNode::items() const {
   std::vector<ConfigNode> nodes;
   nodes.reserve(tree_->items.size());
   for (std::size_t i = 0; i < tree_->items.size(); ++i)
-    nodes.push_back(ConfigNode(tree_->items[i], file_, path_ + "[" + std::to_string(i) + "]",
-                               tree_->items[i]->line));
+    nodes.push_back(
+        below(tree_->items[i], path_ + "[" + std::to_string(i) + "]", tree_->items[i]->line));
   return nodes;
 }
 
@@ -158,13 +169,13 @@ std::vector<std::string> ConfigNode::keys() const {
 std::optional<ConfigNode> ConfigNode::find(std::string_view key) const {
   if (!is_map()) throw expected("a map of keys");
   for (const ConfigTree::Entry& entry : tree_->entries)
-    if (entry.key == key) return ConfigNode(entry.value, file_, path_of(key), entry.line);
+    if (entry.key == key) return below(entry.value, path_of(key), entry.line);
   return std::nullopt;
 }
 
 ConfigNode ConfigNode::child(std::string_view key) const {
   if (const auto found = find(key)) return *found;
-  throw ConfigError(*file_, line_, path_of(key), "missing");
+  throw ConfigError(origin_->called, origin_->has_lines ? line_ : 0, path_of(key), "missing");
 }
 
 void ConfigNode::allow_only(const std::vector<std::string>& allowed) const {
@@ -172,13 +183,13 @@ void ConfigNode::allow_only(const std::vector<std::string>& allowed) const {
   for (const ConfigTree::Entry& entry : tree_->entries) {
     if (std::find(allowed.begin(), allowed.end(), entry.key) != allowed.end()) continue;
     const std::string now = renamed_text(entry.key, allowed);
-    throw ConfigError(*file_, entry.line, path_of(entry.key),
-                      now.empty() ? "unknown key" + allowed_names(entry.key, allowed) : now);
+    throw below(entry.value, path_of(entry.key), entry.line)
+        .error(now.empty() ? "unknown key" + allowed_names(entry.key, allowed) : now);
   }
 }
 
 ConfigError ConfigNode::error(std::string_view problem) const {
-  return ConfigError(*file_, line_, path_, problem);
+  return ConfigError(origin_->called, origin_->has_lines ? line_ : 0, path_, problem);
 }
 
 ConfigError ConfigNode::expected(const std::string& what) const {

@@ -13,6 +13,7 @@
 
 namespace voronaut {
 
+struct ConfigOrigin;
 struct ConfigTree;
 
 // One value of a YAML file that knows its file, line and path ("world.circles[2]"). Every getter
@@ -29,9 +30,10 @@ class ConfigNode {
   // The same for a text in memory; `file` is what messages call it.
   static ConfigNode parse(const std::string& text, const std::string& file);
 
-  const std::string& file() const { return *file_; }
+  const std::string& file() const;
   int line() const { return line_; }
   const std::string& path() const { return path_; }  // from the root, empty for the root itself
+  std::string place() const;                         // "file:line", or what stands in no file
   // A file name as it is meant here: relative to the folder of this file.
   std::string beside(const std::string& relative) const;
 
@@ -67,17 +69,34 @@ class ConfigNode {
   // For a problem that only the caller can see: throw node.error("lies outside the bounds").
   ConfigError error(std::string_view problem) const;
 
- private:
-  ConfigNode(std::shared_ptr<const ConfigTree> tree, std::shared_ptr<const std::string> file,
-             std::string path, int line)
-      : tree_(std::move(tree)), file_(std::move(file)), path_(std::move(path)), line_(line) {}
+  std::string yaml() const;  // in one line; names of files in it stay as they are
 
+  // Copies with a change (config_edit.cpp). What is put in keeps its own file and line, so that
+  // messages name the place where it was written.
+  // A value that stands in no file: YAML, called so by messages, files beside this one's.
+  ConfigNode value(const std::string& text, const std::string& called) const;
+  ConfigNode with(std::string_view key, const ConfigNode& value) const;  // of a map
+  ConfigNode without(std::string_view key) const;                        // of a map
+  ConfigNode under(std::string_view key) const;                          // a map of this alone
+  ConfigNode with_items(const std::vector<ConfigNode>& items) const;     // of a list
+  // This where it says something, else `base`: maps are joined key by key, all else is replaced.
+  ConfigNode over(const ConfigNode& base) const;
+
+ private:
+  using Tree = std::shared_ptr<const ConfigTree>;
+  using Origin = std::shared_ptr<const ConfigOrigin>;
+
+  ConfigNode(Tree tree, Origin origin, std::string path, int line)
+      : tree_(std::move(tree)), origin_(std::move(origin)), path_(std::move(path)), line_(line) {}
+
+  ConfigNode below(const Tree& tree, std::string path, int line) const;
+  Tree placed() const;  // its tree, which says itself where it comes from
   ConfigError expected(const std::string& what) const;
   const std::string* plain_scalar() const;
   std::string path_of(std::string_view key) const;
 
-  std::shared_ptr<const ConfigTree> tree_;
-  std::shared_ptr<const std::string> file_;
+  Tree tree_;
+  Origin origin_;
   std::string path_;
   int line_ = 0;
 };

@@ -8,6 +8,13 @@
 // A YAML document as a plain tree with line numbers: what ConfigNode walks over. Not for others.
 namespace voronaut {
 
+// A text that values come from.
+struct ConfigOrigin {
+  std::string called;  // by messages: a file, or what the command line said
+  std::string file;    // names of files in it are relative to this one's folder
+  bool has_lines = true;
+};
+
 struct ConfigTree {
   enum class Kind { nothing, scalar, list, map };
 
@@ -19,6 +26,7 @@ struct ConfigTree {
 
   Kind kind = Kind::nothing;
   int line = 1;
+  std::shared_ptr<const ConfigOrigin> origin;  // null: that of what it stands in
   std::string scalar;
   bool quoted = false;  // scalar in quotes: always text, never a number
   std::vector<std::shared_ptr<const ConfigTree>> items;

@@ -20,7 +20,8 @@ std::string csv_field(std::string_view text);
 // Lines end in CRLF (RFC 4180), numbers are the shortest text that reads back as the same double,
 // absent numbers are empty.
 std::string records_to_csv(const std::vector<RunRecord>& records);
-// The same of all records of a store, by trial_id.
+// The same of all records of a store, by trial_id, and after them a column for each axis of the
+// sweep that its suite made.
 void write_csv_of(const ResultStore& store, std::ostream& out);
 
 }  // namespace voronaut

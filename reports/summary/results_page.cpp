@@ -71,6 +71,13 @@ const ExampleQuery kQueries[] = {
      "       length(traces.data) AS trace_bytes\n"
      "FROM trials LEFT JOIN traces USING (trial_id)\n"
      "ORDER BY planning_time_us_mean DESC LIMIT 20;"},
+    {"Along an axis of a sweep over a planner's key, how often is the goal reached?",
+     "SELECT json_extract(said.value, '$.path') AS axis, swept.value, count(*) AS n,\n"
+     "       avg(outcome = 'goal_reached') AS goal_reached_share\n"
+     "FROM meta, json_each(meta.value) AS said,\n"
+     "     json_each(said.value, '$.values') AS swept JOIN trials ON trials.planner = swept.key\n"
+     "WHERE meta.key = 'sweep' AND json_extract(said.value, '$.column') = 'planner'\n"
+     "GROUP BY 1, 2 ORDER BY 1, 2;"},
 };
 
 std::string database() {
@@ -84,7 +91,9 @@ std::string database() {
        "compressed as raw deflate (RFC 1951)"},
       {"files", "path, data",
        "what was read to make the trials, byte for byte, compressed in the same way"},
-      {"meta", "key, value", "the suite's text, seed and repetitions, the build that flew it"}};
+      {"meta", "key, value",
+       "the suite's text, seed and repetitions, the build that flew it; `set`, where --set changed "
+       "it; `sweep`, the axes that it sweeps over"}};
   std::string text = table.markdown();
   text +=
       "\nA trace is unpacked by `python3 -c \"import sqlite3, zlib, sys; "
@@ -115,6 +124,11 @@ std::string results_page() {
          "measured differs from run to run and is not part of the digest; an absent number is NULL "
          "in SQL and empty in CSV.\n\n" +
          columns() +
+         "\nA suite that sweeps has a column for each axis besides, after these in `results.csv` "
+         "and before the statistics of `voronaut summary --csv`, called by its path. Its value "
+         "follows from the name of the scenario, the vehicle or the planner; row `sweep` of table "
+         "`meta` says how, as JSON: [{path, column, zipped, values: {name: value}, groups: "
+         "{scenario_group: value}, bases: {name: what the suite calls it}}].\n" +
          "\n## Statistics\n\nOf the trials of one planner in one group of scenarios: `voronaut "
          "summary` "
          "(all of them with `--json` and `--csv`), the report, docs/evidence.md. A share has "

@@ -138,7 +138,7 @@ std::string comparison_json(const RunComparison& comparison) {
   return json_text(out);
 }
 
-std::string summary_json(const Summary& summary) {
+std::string summary_json(const Summary& summary, const std::vector<AxisColumn>& axes) {
   json out{{"groups", json::array()},
            {"totals", json::array()},
            {"pairings", json::array()},
@@ -147,7 +147,9 @@ std::string summary_json(const Summary& summary) {
     out["statistics"].push_back(statistic_to_json(one));
   }
   for (const PlannerSummary& s : summary.groups) {
-    out["groups"].push_back(planner_to_json(s));
+    json& group = out["groups"].emplace_back(planner_to_json(s));
+    for (const AxisColumn& axis : axes)
+      group["axes"][axis.path] = axis.value_of(s.group.scenario_group, s.group.vehicle, s.planner);
   }
   for (const PlannerSummary& s : summary.totals) {
     out["totals"].push_back(planner_to_json(s));

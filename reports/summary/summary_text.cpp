@@ -143,14 +143,19 @@ std::string summary_text(const Summary& summary) {
   return out;
 }
 
-std::string summary_csv(const Summary& summary) {
-  std::string csv = "scenario_group,vehicle,regulator,planner,n";
+std::string summary_csv(const Summary& summary, const std::vector<AxisColumn>& axes) {
+  std::string csv = "scenario_group,vehicle,regulator,planner";
+  for (const AxisColumn& axis : axes) csv += "," + csv_field(axis.path);
+  csv += ",n";
   for (const Statistic& one : statistics())
     for (const char* part : {"", "_low", "_high", "_n"})
       csv.append(",").append(one.name).append(part);
   for (const PlannerSummary& s : summary.groups) {
     csv += "\r\n" + csv_field(s.group.scenario_group) + "," + csv_field(s.group.vehicle) + "," +
-           csv_field(s.group.regulator) + "," + csv_field(s.planner) + "," + std::to_string(s.n);
+           csv_field(s.group.regulator) + "," + csv_field(s.planner);
+    for (const AxisColumn& axis : axes)
+      csv += "," + csv_field(axis.value_of(s.group.scenario_group, s.group.vehicle, s.planner));
+    csv += "," + std::to_string(s.n);
     for (const Estimate& e : s.estimates)
       csv += "," + cell_text(e.value) + "," + cell_text(e.interval.low) + "," +
              cell_text(e.interval.high) + "," + std::to_string(e.n);

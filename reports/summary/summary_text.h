@@ -1,7 +1,9 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
+#include "voronaut/reports/axis_columns.h"
 #include "voronaut/reports/summary/summary.h"
 
 namespace voronaut {
@@ -14,11 +16,12 @@ std::string summary_text(const Summary& summary);
 std::string summary_markdown(const Summary& summary);
 
 // One line per group and planner: of every statistic its value, the ends of its interval and over
-// how many trials it is.
-std::string summary_csv(const Summary& summary);
+// how many trials it is; before them a column for each axis of the suite's sweep.
+std::string summary_csv(const Summary& summary, const std::vector<AxisColumn>& axes = {});
 
 // Everything in Summary: {"groups":[...], "totals":[...], "pairings":[...], "statistics":[...]},
-// the last the table of statistics itself. Absent numbers are null.
-std::string summary_json(const Summary& summary);
+// the last the table of statistics itself. Absent numbers are null. Where there are axes, each
+// group has "axes": {path: value as text}.
+std::string summary_json(const Summary& summary, const std::vector<AxisColumn>& axes = {});
 
 }  // namespace voronaut

@@ -58,9 +58,10 @@ export function drawAxes(root: SVGElement, axes: Axes): void {
       transform: `rotate(-90 14 ${(kMargin.top + inner) / 2})` }, axes.yName));
 }
 
-export function legend(entries: { planner: string; count: string }[], palette: Palette): HTMLElement {
+// An entry is called like its planner unless it has another name.
+export function legend(entries: { planner: string; name?: string; count: string }[], palette: Palette): HTMLElement {
   return el("div", { class: "legend" }, ...entries.map((entry) => el("span", {},
-    palette.swatch(entry.planner), nameOf(entry.planner), el("span", { class: "soft" }, entry.count))));
+    palette.swatch(entry.planner), nameOf(entry.name ?? entry.planner), el("span", { class: "soft" }, entry.count))));
 }
 
 export function figureOf(

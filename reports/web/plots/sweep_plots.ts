@@ -1,5 +1,5 @@
 // Sweeps as lines, with bands that are 95 % intervals.
-import { axisLeft } from "d3-axis";
+import { axisBottom, axisLeft } from "d3-axis";
 import { scaleLinear, scaleLog } from "d3-scale";
 
 import type { Report, Statistic } from "../data/data";
@@ -7,7 +7,7 @@ import { csv, el, fixed, percent, svg } from "../elements/dom";
 import { drawAxes, figureOf, frame, kHeight, kMargin, kWidth, legend } from "./figure";
 import { Palette } from "../elements/palette";
 import type { Filter } from "../data/sample";
-import { Sweep, SweepPoint, sweepsOf } from "../data/sweep";
+import { axesWithoutLine, Sweep, SweepPoint, sweepsOf } from "../data/sweep";
 
 interface Drawn {
   label: string;
@@ -71,10 +71,12 @@ function metricPlot(id: string, sweep: Sweep, metric: Statistic, palette: Palett
   const xs = lines.flatMap((l) => l.points.map((p) => p.x));
   const span = [Math.min(...xs), Math.max(...xs)];
   if (span[0] === span[1]) return null;
-  const x = scaleLinear().domain(span).range([kMargin.left + 14, kWidth - kMargin.right]);
+  const x = (sweep.ratios ? scaleLog() : scaleLinear()).domain(span)
+    .range([kMargin.left + 14, kWidth - kMargin.right]);
   const y = yScale(lines, metric);
   const root = frame(titleOf(metric, sweep));
-  drawAxes(root, { x, xName: sweep.xName, y, yName: axisName(metric), yGrid: true,
+  drawAxes(root, { x, xName: sweep.xName + (sweep.ratios ? " (logarithmic)" : ""),
+    xTicks: sweep.ratios ? axisBottom(x).ticks(5, "~g") : undefined, y, yName: axisName(metric), yGrid: true,
     yTicks: metric.rate ? axisLeft(y).ticks(5, "%") : metric.logarithmic ? axisLeft(y).ticks(5, "~g")
       : undefined });
   root.append(...lines.map((line) => drawLine(line, metric, x, y, palette)));
@@ -83,24 +85,29 @@ function metricPlot(id: string, sweep: Sweep, metric: Statistic, palette: Palett
     const [few, many] = [Math.min(...ns), Math.max(...ns)];
     return few === many ? `n = ${few} each` : `n = ${few} to ${many}`;
   };
-  return figureOf(id, titleOf(metric, sweep), "", root,
-    legend(lines.map((l) => ({ planner: l.planner, count: counts(l) })), palette),
-    () => csv(["planner", sweep.xName, axisName(metric), "low_95", "high_95", "n"], lines.flatMap((l) =>
-      l.points.map((p) => [l.label, p.x, p.y, p.low, p.high, p.n]))));
+  return figureOf(id, titleOf(metric, sweep), sweep.held && `Held: ${sweep.held}`, root,
+    legend(lines.map((l) => ({ planner: l.planner, name: l.label, count: counts(l) })), palette),
+    () => csv(["planner", sweep.xName, axisName(metric), "low_95", "high_95", "n", "held"],
+      lines.flatMap((l) => l.points.map((p) => [l.label, p.x, p.y, p.low, p.high, p.n, sweep.held]))));
 }
 
 export function sweepSection(report: Report, palette: Palette, filter: Filter): HTMLElement {
   const sweeps = sweepsOf(report, filter);
   const shown = report.summary.statistics.filter((s) => s.in_sweeps);
+  const without = axesWithoutLine(report);
   if (sweeps.length === 0) {
-    return el("p", { class: "soft" }, "No sweep in this selection: a sweep is three or more scenario " +
-      "groups, or three or more planners of one name, that differ in one number.");
+    return el("p", { class: "soft" }, "No sweep in this selection: a sweep is an axis of the suite with " +
+      "two or more values, or three or more scenario groups, or planners of one name, that differ in one " +
+      "number.");
   }
   return el("div", {},
     el("p", {}, "Bands are 95 % intervals. A failure counts in the share that arrives; path ratio and " +
-      "time are over those that arrived, whose n a point tells."),
+      "time are over those that arrived, whose n a point tells. Where the suite sweeps over more than one " +
+      "key, each drawing holds the others at the values below it; nothing is averaged over them."),
+    without.length > 0 && el("p", { class: "soft" }, `Without numbers, and so without a line: ${without.join(", ")}. ` +
+      "The overview tells them apart by their names."),
     ...sweeps.flatMap((sweep, i) => [
-      el("h3", { class: "vehicle" }, `${sweep.xName}, ${sweep.vehicle}`),
+      el("h3", { class: "vehicle" }, [sweep.xName, sweep.vehicle, sweep.held].filter((t) => t).join(", ")),
       el("div", { class: "plots" }, ...shown.map((metric) =>
         metricPlot(`sweep-${i}-${metric.name}`, sweep, metric, palette))),
     ]));

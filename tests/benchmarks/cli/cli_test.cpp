@@ -74,8 +74,9 @@ TEST_F(CommandLine, SaysInOneLineWhatIsWrongAndWritesNothing) {
        "voronaut: The following arguments were not expected: red --colour" + help},
       {"run nothing.yaml", "voronaut: nothing.yaml: no such file\n"},
       {"run broken.yaml",
-       "voronaut: broken.yaml:2: key 'plannners': unknown key (allowed: suite, kind, seed, "
-       "repetitions, repeat, data, scenarios, vehicles, planners, range_finder, mapping, "
+       "voronaut: broken.yaml:2: key 'plannners': unknown key (allowed: include, suite, kind, "
+       "seed, "
+       "repetitions, repeat, data, scenarios, vehicles, planners, sweep, range_finder, mapping, "
        "navigation, loop, "
        "budget, limits, traces, acceptance; did you mean 'planners'?)\n"},
       {"run open.yaml --planners RRT",

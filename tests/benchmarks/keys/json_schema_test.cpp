@@ -55,6 +55,20 @@ TEST(JsonSchema, TakesEverySuiteThatShips) {
     EXPECT_EQ(schema_problem(json_of_yaml(text), of_suites()), "") << text;
 }
 
+TEST(JsonSchema, TakesSweepsAndWhatIsIncluded) {
+  EXPECT_EQ(problem_with("budget: {iterations: 5}",
+                         "sweep: {vehicle.max_speed_m_s: [1, 2], zipped: {loop.goal_hold_s: [1]}, "
+                         "planners.c.range: {from: 1, to: 2, steps: 3}}"),
+            "");
+  EXPECT_EQ(problem_with("label: b", "range_finder: {rays: 90}"), "");
+  const auto problem_of = [](const std::string& text) {
+    return schema_problem(json_of_yaml(text), of_suites());
+  };
+  EXPECT_EQ(problem_of("include: base.yaml\nsuite: s\n"), "");
+  EXPECT_EQ(problem_of("include: [a.yaml, b.yaml]\n"), "");
+  EXPECT_NE(problem_of("include: []\n"), "");
+}
+
 TEST(JsonSchema, TakesEveryScenarioThatShips) {
   const Json schema = Json::parse(scenario_schema(keys()));
   const auto texts = shipped_texts("scenarios");
@@ -86,6 +100,10 @@ TEST(JsonSchema, RefusesWhatTheReadersRefuse) {
       {"budget: {iterations: 5}", "budget: {iterations: 0}"},
       {"budget: {iterations: 5}", "mapping: {merge_m: 1}"},
       {"budget: {iterations: 5}", "acceptance: [{crash_share: 1}]"},
+      {"budget: {iterations: 5}", "sweep: {vehicle.max_speed_m_s: []}"},
+      {"budget: {iterations: 5}", "sweep: {vehicle.max_speed_m_s: {from: 1, to: 2}}"},
+      {"budget: {iterations: 5}", "sweep: {zipped: {vehicle.max_speed_m_s: 3}}"},
+      {"label: b", "range_finder: {rays: none}"},
   };
   for (const auto& [replaced, by] : cases) EXPECT_NE(problem_with(replaced, by), "") << by;
 }

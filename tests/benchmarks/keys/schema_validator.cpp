@@ -38,8 +38,12 @@ std::string object_problem(const Json& value, const Json& schema, const std::str
     if (const auto found = properties.find(key); found != properties.end()) {
       if (const auto problem = schema_problem(inner, *found, place + "." + key); !problem.empty())
         return problem;
-    } else if (!schema.value("additionalProperties", true)) {
-      return place + "." + key + " is no key";
+    } else if (const auto others = schema.find("additionalProperties"); others != schema.end()) {
+      if (others->is_boolean() && !*others) return place + "." + key + " is no key";
+      if (others->is_object())
+        if (const auto problem = schema_problem(inner, *others, place + "." + key);
+            !problem.empty())
+          return problem;
     }
   }
   for (const Json& key : schema.value("required", Json::array()))

@@ -140,7 +140,8 @@ TEST(SuiteConfig, ReadsEachWayToCountABudget) {
 TEST(SuiteConfig, SaysInOneLineWhatIsWrong) {
   unsetenv("VORONAUT_DATA");  // one of the messages is about its absence
   const std::string keys =
-      "suite, kind, seed, repetitions, repeat, data, scenarios, vehicles, planners, range_finder, "
+      "include, suite, kind, seed, repetitions, repeat, data, scenarios, vehicles, planners, "
+      "sweep, range_finder, "
       "mapping, navigation, loop, budget, limits, traces, acceptance";
   const std::string count = "expected a whole number from ";
   const std::vector<std::pair<std::string, std::string>> cases = {

@@ -5,6 +5,7 @@
 
 #include <gmock/gmock.h>
 
+#include "voronaut/reports/axis_columns.h"
 #include "voronaut/tests/reports/page/report_in_browser.h"
 
 namespace voronaut {
@@ -186,6 +187,55 @@ TEST_F(ReportPages, ASweepShowsTheIntervalsOfTheSummary) {
                           fixed(100 * s.of("goal_reached_share").interval.high, 1) +
                           " %]\nn = " + std::to_string(s.n)));
   }
+}
+
+// Two axes of what flies and one of a planner, as a suite says them.
+TEST_F(ReportPages, DrawsEachAxisOfTheSuiteAndSaysWhatItHolds) {
+  synthetic::RunConfig config;
+  config.groups = {"forest"};
+  config.repetitions = 6;
+  synthetic::Run run;
+  const std::vector<std::string> speeds = {"1", "2"};
+  const std::vector<std::string> ranges = {"0.5", "2.5"};
+  AxisColumn speed{"vehicle.max_speed_m_s", "vehicle", false, {}, {}, {}};
+  AxisColumn range{"range_finder.max_range_m", "vehicle", false, {}, {}, {}};
+  for (const std::string& v : speeds) {
+    for (const std::string& r : ranges) {
+      const std::string label = "quadrotor max_speed_m_s=" + v + " max_range_m=" + r;
+      speed.values[label] = v;
+      range.values[label] = r;
+      speed.bases[label] = range.bases[label] = "quadrotor";
+      for (RunRecord record : synthetic::make_run(config).records) {
+        record.trial_id += label;
+        record.vehicle = label;
+        if (r == "0.5" && v == "2") record.outcome = Outcome::collision;
+        run.records.push_back(record);
+      }
+    }
+  }
+  const AxisColumn policy{"planner.policy", "planner", false, {{"RRTConnect", "a"}}, {}, {}};
+  ReportInput input = report_input_of(run, "Axes");
+  input.manifest_json =
+      R"({"configuration": {"sweep": )" + axis_columns_json({speed, range, policy}) + "}}";
+  open(write_page("axes.html", input), "#sweeps");
+  // By speed at each range, then by range at each speed.
+  EXPECT_EQ(count("#page-sweeps h3.vehicle"), "4");
+  EXPECT_THAT(text("#sweep-0-goal_reached_share"),
+              HasSubstr("Held: range_finder.max_range_m = 0.5"));
+  EXPECT_THAT(text("#sweep-3-goal_reached_share"), HasSubstr("Held: vehicle.max_speed_m_s = 2"));
+  EXPECT_THAT(text("#page-sweeps"), HasSubstr("without a line: planner.policy"));
+  for (const PlannerSummary& s : input.summary.groups) {
+    const bool slow = s.group.vehicle.find("max_speed_m_s=1") != std::string::npos;
+    const std::string label = s.planner + (s.planner == "RRTConnect" ? ", planner.policy = a" : "");
+    const std::string point =
+        "document.querySelectorAll('#sweep-" + std::string(slow ? "2" : "3") +
+        "-goal_reached_share [data-planner=\"" + label + "\"] .point')[" +
+        (s.group.vehicle.find("max_range_m=0.5") != std::string::npos ? "0" : "1") + "]";
+    EXPECT_NEAR(std::stod(session_->evaluate(point + ".dataset.value")),
+                s.of("goal_reached_share").value, 1e-9)
+        << s.group.vehicle;
+  }
+  expect_quiet();
 }
 
 TEST_F(ReportPages, AComparisonSaysWhatChangedAndWhichTrialsEndOtherwise) {

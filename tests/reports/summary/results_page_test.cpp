@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include "voronaut/reports/axis_columns.h"
 #include "voronaut/reports/store/store.h"
 #include "voronaut/tests/reports/synthetic_run.h"
 #include "voronaut/tests/support/temporary_folder.h"
@@ -21,12 +22,16 @@ TEST(ResultsPage, IsTheOneThatTheDocumentationHolds) {
 TEST(ResultsPage, ShowsQueriesThatTheDatabaseAnswers) {
   const TemporaryFolder folder;
   const auto run = synthetic::make_run();
-  ResultStore store = ResultStore::create(folder.path() / "results.db");
+  const std::string planner = run.records.front().planner;
+  ResultStore store = ResultStore::create(
+      folder.path() / "results.db",
+      {{"sweep",
+        axis_columns_json({{"planner.range", "planner", false, {{planner, "0.5"}}, {}, {}}})}});
   for (const TraceWorld& world : run.worlds) store.insert_world(world);
   for (const RunRecord& record : run.records) store.insert(record, std::nullopt);
   store.keep_files({{"suite.yaml", "suite: s"}});
   const sqlite::Database database(folder.path() / "results.db", sqlite::OpenMode::existing);
-  EXPECT_EQ(example_queries().size(), 5U);
+  EXPECT_EQ(example_queries().size(), 6U);
   for (const ExampleQuery& query : example_queries()) {
     sqlite::Statement statement(database, std::string(query.sql));
     EXPECT_TRUE(statement.step()) << query.question;

@@ -1,0 +1,81 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include <CLI/CLI.hpp>
+
+#include "voronaut/benchmarks/cli/options.h"
+
+// The commands as the parser of the command line knows them.
+namespace voronaut {
+
+// What the help of the program and of each command ends with.
+extern const char* const kOptionsFooter;
+
+CLI::App* add_command(CLI::App& app, const std::string& name, const std::string& summary);
+void add_folder(CLI::App* command, std::string& folder);
+void add_data(CLI::App* command, std::string& data);
+void add_settings(CLI::App* command, std::vector<std::string>& settings);
+void add_plugins(CLI::App* command, std::vector<std::string>& plugins);
+
+// Reads into `options` what belongs to each command; the command that was given says which holds.
+struct Commands {
+  explicit Commands(CLI::App& app);
+
+  void add_run(CLI::App& app);
+  void add_merge(CLI::App& app);
+  void add_status(CLI::App& app);
+  void add_submit(CLI::App& app);
+  void add_cancel(CLI::App& app);
+  void add_tune(CLI::App& app);
+  void add_replay(CLI::App& app);
+  void add_report(CLI::App& app);
+  void add_compare(CLI::App& app);
+  void add_plot(CLI::App& app);
+  void add_show(CLI::App& app);
+  void add_export(CLI::App& app);
+  void add_schema(CLI::App& app);
+
+  Options chosen() const;  // of the command that was given
+
+  RunOptions run;
+  SummaryOptions summary;
+  ListOptions list;
+  CheckOptions check;
+  ReplayOptions replay;
+  DigestOptions digest;
+  ReportOptions report;
+  CompareOptions compare;
+  EvidenceOptions evidence;
+  PlotOptions plot;
+  ShowOptions show;
+  ExportOptions exported;
+  SchemaOptions schema;
+  MergeOptions merge;
+  StatusOptions status;
+  SubmitOptions submit;
+  CancelOptions cancel;
+  TuneOptions tune;
+
+  CLI::App* run_command = nullptr;
+  CLI::App* summary_command = nullptr;
+  CLI::App* list_command = nullptr;
+  CLI::App* check_command = nullptr;
+  CLI::App* replay_command = nullptr;
+  CLI::App* digest_command = nullptr;
+  CLI::App* report_command = nullptr;
+  CLI::App* compare_command = nullptr;
+  CLI::App* evidence_command = nullptr;
+  CLI::App* plot_command = nullptr;
+  CLI::App* show_command = nullptr;
+  CLI::App* export_command = nullptr;
+  CLI::App* schema_command = nullptr;
+  CLI::App* merge_command = nullptr;
+  CLI::App* status_command = nullptr;
+  CLI::App* submit_command = nullptr;
+  CLI::App* cancel_command = nullptr;
+  CLI::App* tune_command = nullptr;
+};
+
+}  // namespace voronaut
