@@ -126,6 +126,13 @@ std::string results_page() {
          statistics_table() +
          "\nOf more than 20 000 values the interval is what the bootstrap tends to: order "
          "statistics at the binomial's limits for a quantile, 1.96 standard errors for a mean.\n"
+         "\n`rank` is 1 + the number of planners of the group that are better. Two planners are "
+         "compared on the same scenario and repetition by two exact tests: who reached the goal "
+         "(McNemar's), and where both did, whose path is shorter by more than 1 % (a sign test); p "
+         "is corrected after Holm over all tests of the group. Better is who reaches the goal more "
+         "often at p < 0.05; where that is undecided, who has the shorter path more often at p < "
+         "0.05. As many better ones give the same rank: as a rule, "
+         "where the data cannot tell. `pairings` of `--json` has the p of every pair.\n"
          "\n## Database\n\n`results.db` is an SQLite database, `PRAGMA user_version` the version "
          "of "
          "its schema. A trial is safe as soon as it has ended: killing the program loses nothing "

@@ -48,6 +48,7 @@ export interface GroupKey {
 export interface PlannerSummary extends GroupKey {
   planner: string;
   n: number;
+  rank: number;  // 1 + planners of the group that are significantly better
   outcomes: Record<string, number>;
   statistics: Record<string, Estimate>;  // by name; a rate is a Rate
 }

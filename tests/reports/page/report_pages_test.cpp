@@ -27,12 +27,12 @@ TEST_F(ReportPages, ShowsTheNumbersOfTheRecords) {
   const std::string shown = rows("overview");
   for (const PlannerSummary& s : input.summary.groups) {
     const Estimate& reached = s.of("goal_reached_share");
-    EXPECT_THAT(
-        shown,
-        HasSubstr(s.group.scenario_group + " | " + s.planner + " | " + std::to_string(s.n) + " | " +
-                  fixed(100 * reached.value, 1) + " % " + std::to_string(reached.successes) + "/" +
-                  std::to_string(s.n) + ", 95 % [" + fixed(100 * reached.interval.low, 1) + ", " +
-                  fixed(100 * reached.interval.high, 1) + "] | "));
+    EXPECT_THAT(shown,
+                HasSubstr(s.group.scenario_group + " | " + s.planner + " | " + std::to_string(s.n) +
+                          " | " + std::to_string(s.rank) + " | " + fixed(100 * reached.value, 1) +
+                          " % " + std::to_string(reached.successes) + "/" + std::to_string(s.n) +
+                          ", 95 % [" + fixed(100 * reached.interval.low, 1) + ", " +
+                          fixed(100 * reached.interval.high, 1) + "] | "));
     for (const Statistic* one : statistics_shown(kPage))
       if (one->estimator != Estimator::rate && s.of(one->name).n > 0) {
         EXPECT_THAT(shown, HasSubstr(" | " + fixed(s.of(one->name).value, one->digits)));
@@ -109,10 +109,10 @@ TEST_F(ReportPages, AHeadingSortsItsColumn) {
   const std::string after =
       "document.querySelectorAll('#page-overview table')[1].querySelectorAll('tbody tr')";
   const std::string press =
-      "document.querySelectorAll('#page-overview table')[1].querySelectorAll('th')[6]."
+      "document.querySelectorAll('#page-overview table')[1].querySelectorAll('th')[7]."
       "querySelector('button').click()";
   const std::string values =
-      "[..." + after + "].map(r => parseFloat(r.cells[6].textContent)).join(',')";
+      "[..." + after + "].map(r => parseFloat(r.cells[7].textContent)).join(',')";
   session_->evaluate(press);
   const std::string sorted =
       session_->evaluate("(() => { const v = " + values +
