@@ -129,11 +129,17 @@ json outcome_to_json(const OutcomeChange& c) {
 }  // namespace
 
 std::string comparison_json(const RunComparison& comparison) {
-  json out{{"title", comparison.title},         {"commit", comparison.commit},
-           {"tolerance", comparison.tolerance}, {"worse", comparison.worse()},
-           {"pairs", comparison.pairs},         {"changed", comparison.changed},
-           {"only_here", comparison.only_here}, {"only_there", comparison.only_there},
-           {"changes", json::array()},          {"outcomes", json::array()}};
+  json out{{"title", comparison.title},
+           {"commit", comparison.commit},
+           {"tolerance", comparison.tolerance},
+           {"worse", comparison.worse()},
+           {"pairs", comparison.pairs},
+           {"changed", comparison.changed},
+           {"only_here", comparison.only_here},
+           {"only_there", comparison.only_there},
+           {"changes", json::array()},
+           {"outcomes", json::array()},
+           {"ended_differently", comparison.ended_differently}};
   for (const PlannerChange& c : comparison.changes) {
     out["changes"].push_back(changes_to_json(c, comparison));
   }

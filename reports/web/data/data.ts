@@ -99,8 +99,9 @@ export interface Comparison {
   commit: string;
   only_here: number;   // trials without a partner
   only_there: number;
+  ended_differently: number;  // pairs
   changes: PlannerChange[];
-  outcomes: OutcomeChange[];
+  outcomes: OutcomeChange[];  // of very many those of the lowest repetitions
 }
 
 export interface World {
