@@ -35,7 +35,7 @@ const RecordColumn kColumns[] = {
     {"duration_s", &R::duration_s, exact, moved, "s", "simulated time from the first step to the verdict"},
     {"path_length_m", &R::path_length_m, exact, moved, "m", "length of the path flown, in the plane"},
     {"shortest_length_m", &R::shortest_length_m, exact, all, "m", "shortest path of the body through the true world"},
-    {"shortest_at_clearance_m", &R::shortest_at_clearance_m, exact, all, "m", "shortest path at the clearance that planners must keep (clearance_min_m)"},
+    {"shortest_at_clearance_m", &R::shortest_at_clearance_m, exact, all, "m", "shortest path at the clearance that planners must keep (planning_clearance_m)"},
     {"path_ratio", &R::path_ratio, exact, goal_reached, "", "path flown, with the straight rest to the goal, over the shortest one of the body, each counted as the goal's tolerance at least"},
     {"spl", &R::spl, exact, all, "", "success weighted by path length; 0 for a failure"},
     {"clearance_smallest_m", &R::clearance_smallest_m, exact, moved, "m", "smallest clearance under way, centre to the surface of the true world"},

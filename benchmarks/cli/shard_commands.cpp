@@ -75,9 +75,11 @@ StoredTrials rows_of(const std::vector<std::filesystem::path>& folders,
       throw std::invalid_argument(folder.string() +
                                   ": holds results of another version of this "
                                   "suite");
-    part.store().for_each_record([&](const RunRecord& record) {
-      rows.add(record.trial_id, entry_of(record.outcome).cut_off);
-    });
+    part.store().for_each_record(
+        [&](const RunRecord& record) {
+          rows.add(record.trial_id, entry_of(record.outcome).cut_off);
+        },
+        "rowid");
   }
   rows.sort();
   return rows;
