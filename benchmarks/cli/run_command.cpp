@@ -105,8 +105,10 @@ ExitCode fly(const SuiteConfig& suite, const RunOptions& options, const Part& pa
                     std::chrono::steady_clock::now());
   const std::size_t jobs = options.jobs > 0 ? options.jobs : ProcessPool::default_jobs();
   SharedReferences shared(folder.path(), "references-" + program_id().substr(0, 12) + ".txt");
-  ShortestReferences references =
-      part.shard ? ShortestReferences(shared.sharing(isolated_length())) : isolated_references();
+  ShortestReferences references = part.shard
+                                      ? ShortestReferences(shared.sharing(isolated_length()),
+                                                           shared.sharing(isolated_difficulty()))
+                                      : isolated_references();
   const RunReport run =
       run_suite(suite, trial, jobs, references, folder.store(), progress, part.share);
   if (run.stopped) {

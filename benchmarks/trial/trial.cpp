@@ -27,6 +27,8 @@ RunRecord record_before_flight(const TrialSpec& spec) {
   record.seed = static_cast<std::int64_t>(spec.planner_seed);
   record.shortest_length_m = spec.shortest_length_m;
   record.shortest_at_clearance_m = spec.shortest_at_clearance_m;
+  record.free_share = spec.free_share;
+  record.narrowest_passage_m = spec.narrowest_passage_m;
   return record;
 }
 

@@ -31,7 +31,9 @@ std::string columns() {
   for (const RecordColumn& column : record_columns())
     table.rows.push_back({std::string(column.name), or_dash(column.unit), std::string(column.about),
                           std::string(words(column.trials)),
-                          column.kind == ColumnKind::measured ? "yes" : "no"});
+                          column.kind == ColumnKind::measured   ? "yes"
+                          : column.kind == ColumnKind::of_world ? "no; of the world"
+                                                                : "no"});
   return table.markdown();
 }
 
@@ -112,8 +114,9 @@ std::string results_page() {
          outcomes() +
          "\n## Columns\n\nOf a record: `results.csv`, table `trials` of `results.db`, exports. "
          "What is "
-         "measured differs from run to run and is not part of the digest; an absent number is NULL "
-         "in SQL and empty in CSV.\n\n" +
+         "measured differs from run to run and is not part of the digest, nor is what says how "
+         "hard "
+         "the world is; an absent number is NULL in SQL and empty in CSV.\n\n" +
          columns() +
          "\n## Statistics\n\nOf the trials of one planner in one group of scenarios: `voronaut "
          "summary` "

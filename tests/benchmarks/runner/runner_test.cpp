@@ -304,6 +304,26 @@ TEST(Runner, ComputesEachReferenceOnce) {
   }
 }
 
+TEST(Runner, RatesEachWorldOnceAndWritesItToAllOfItsTrials) {
+  const TemporaryFolder folder;
+  int calls = 0;
+  ShortestReferences references([](const Scenario&, double radius_m) { return radius_m; },
+                                [&](const Scenario& scenario) -> WorldDifficulty {
+                                  ++calls;
+                                  return {0.5, scenario.goal_world.x()};
+                                });
+  std::ostringstream out;
+  const SuiteConfig suite = small_suite("rated", kCalm, 4);
+  Progress progress(out, false, 24, std::chrono::steady_clock::now());
+  ResultStore store = ResultStore::create(folder.path() / "results.db");
+  run_suite(suite, calm(), 1, references, store, progress);
+  EXPECT_EQ(calls, 1 + 4) << "one fixed world, four random ones";
+  for (const RunRecord& record : store.records()) {
+    EXPECT_EQ(record.free_share, 0.5);
+    EXPECT_GT(record.narrowest_passage_m, 0);
+  }
+}
+
 TEST(Runner, MakesRowsOfAWorldThatEndsTheProcessThatMeasuresItAndGoesOn) {
   const TemporaryFolder folder;
   ShortestReferences references =
