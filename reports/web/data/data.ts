@@ -134,6 +134,8 @@ export interface Trial {
   path_ratio: number;
   spl: number;
   clearance_smallest_m: number;
+  free_share: number;
+  narrowest_passage_m: number;
   speed_mean_m_s: number;
   end_x_m: number;
   end_y_m: number;

@@ -77,6 +77,29 @@ TEST_F(ReportPages, DrawsEveryTracedTrialAndEveryTracedFailureOnceMore) {
                                  std::to_string(failed_traces)));
 }
 
+TEST_F(ReportPages, ASceneDrawsSolidsAsOneAndSaysHowHardItsWorldIs) {
+  auto run = synthetic::make_run();
+  TraceWorld& world = run.worlds.front();
+  world.polygons = {{{0, 0}, {1, 0}, {1, 1}, {0, 1}}, {{1, 0}, {2, 0}, {2, 1}, {1, 1}}};
+  for (RunRecord& record : run.records) {
+    record.free_share = 0.824;
+    record.narrowest_passage_m = 0.615;
+  }
+  open(write_page("union.html", report_input_of(run, "Union")), "#scenes");
+  const std::string figure =
+      "[...document.querySelectorAll('#page-scenes figure')].find(f => "
+      "f.querySelector('path.obstacle'))";
+  ASSERT_TRUE(session_->wait_for("!!" + figure));
+  // Outlines below, and one path over them that covers those inside.
+  EXPECT_EQ(session_->evaluate("[...(" + figure +
+                               ").querySelectorAll('path.outline, path.obstacle')].map(p => "
+                               "p.getAttribute('class') + p.getAttribute('d').split('Z').length)"
+                               ".join(' ')"),
+            "outline3 obstacle3");
+  EXPECT_THAT(session_->evaluate("(" + figure + ").querySelector('.note').textContent"),
+              HasSubstr("82 % free, narrowest passage 0.6"));
+}
+
 TEST_F(ReportPages, AFilterKeepsItsGroupOnlyOnEveryPage) {
   const auto run = synthetic::make_run();
   open(write_page("filter.html", report_input_of(run, "Filter")), "#scenes");
