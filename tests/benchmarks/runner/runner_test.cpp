@@ -130,6 +130,12 @@ TEST(Runner, GivesTheSameDigestForAnyNumberOfJobs) {
   auto changed = one;
   changed[4].duration_s += 1e-12;
   EXPECT_NE(digest(one), digest(changed));
+  auto rated = one;
+  rated.front().free_share = 0.123;
+  rated.front().narrowest_passage_m = 4.56;
+  rated.front().cpu_time_s = 7.89;
+  EXPECT_EQ(digest(one), digest(rated))
+      << "what is measured and how hard the world is is no result";
 }
 
 TEST(Runner, RunsNothingTwice) {
