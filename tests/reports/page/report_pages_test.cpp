@@ -87,9 +87,8 @@ TEST_F(ReportPages, ASceneDrawsSolidsAsOneAndSaysHowHardItsWorldIs) {
   }
   open(write_page("union.html", report_input_of(run, "Union")), "#scenes");
   const std::string figure =
-      "[...document.querySelectorAll('#page-scenes figure')].find(f => "
-      "f.querySelector('path.obstacle'))";
-  ASSERT_TRUE(session_->wait_for("!!" + figure));
+      "document.querySelector('figure[data-scene=\"" + run.records.front().scenario + "\"]')";
+  ASSERT_TRUE(session_->wait_for("!!" + figure + ".querySelector('path.obstacle')"));
   // Outlines below, and one path over them that covers those inside.
   EXPECT_EQ(session_->evaluate("[...(" + figure +
                                ").querySelectorAll('path.outline, path.obstacle')].map(p => "
