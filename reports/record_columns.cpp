@@ -14,6 +14,7 @@ namespace {
 using enum TrialSet;
 using R = RunRecord;
 constexpr ColumnKind exact = ColumnKind::deterministic;
+constexpr ColumnKind of_world = ColumnKind::of_world;
 constexpr ColumnKind measured = ColumnKind::measured;
 
 // Name, member, kind, over which trials, unit, what it is. A new column is a line here, one in
@@ -35,7 +36,9 @@ const RecordColumn kColumns[] = {
     {"duration_s", &R::duration_s, exact, moved, "s", "simulated time from the first step to the verdict"},
     {"path_length_m", &R::path_length_m, exact, moved, "m", "length of the path flown, in the plane"},
     {"shortest_length_m", &R::shortest_length_m, exact, all, "m", "shortest path of the body through the true world"},
-    {"shortest_at_clearance_m", &R::shortest_at_clearance_m, exact, all, "m", "shortest path at the clearance that planners must keep (clearance_min_m)"},
+    {"shortest_at_clearance_m", &R::shortest_at_clearance_m, exact, all, "m", "shortest path at the clearance that planners must keep (planning_clearance_m)"},
+    {"free_share", &R::free_share, of_world, all, "", "share of the bounds that no solid of the true world covers"},
+    {"narrowest_passage_m", &R::narrowest_passage_m, of_world, all, "m", "diameter of the largest disc that gets from start to goal in the true world, its centre within the bounds; 0 if none does, absent if any does"},
     {"path_ratio", &R::path_ratio, exact, goal_reached, "", "path flown, with the straight rest to the goal, over the shortest one of the body, each counted as the goal's tolerance at least"},
     {"spl", &R::spl, exact, all, "", "success weighted by path length; 0 for a failure"},
     {"clearance_smallest_m", &R::clearance_smallest_m, exact, moved, "m", "smallest clearance under way, centre to the surface of the true world"},

@@ -13,6 +13,7 @@ namespace voronaut {
 
 enum class ColumnKind {
   deterministic,  // equal on every run of the same trial: part of the digest
+  of_world,       // equal on every run, too, but no result: not part of the digest
   measured,       // wall times and what hangs on them
 };
 

@@ -31,6 +31,8 @@ struct RunRecord {
   double path_length_m = kAbsent;
   double shortest_length_m = kAbsent;
   double shortest_at_clearance_m = kAbsent;
+  double free_share = kAbsent;
+  double narrowest_passage_m = kAbsent;
   double path_ratio = kAbsent;
   double spl = kAbsent;
   double clearance_smallest_m = kAbsent;

@@ -1,5 +1,7 @@
 #include <algorithm>
+#include <optional>
 #include <ostream>
+#include <set>
 #include <stdexcept>
 
 #include "voronaut/benchmarks/cli/commands.h"
@@ -45,11 +47,15 @@ ComparisonConfig config_of(const CompareOptions& options) {
 }
 
 // Pairs of one trial in two runs must have met the same world.
-void require_same_worlds(const CompareOptions& options, const std::vector<RunRecord>& before,
-                         const std::vector<RunRecord>& now) {
-  if (const std::string other = first_other_world(before, now); !other.empty())
-    throw std::invalid_argument(options.folders[1] + ": not to be compared with " +
-                                options.folders[0] + ": " + other + " has another world");
+SameFlight same_flight_in_one_world(const CompareOptions& options) {
+  return [&options](const RunRecord& before, const RunRecord& now) {
+    if (!before.world_id.empty() && !now.world_id.empty() && before.world_id != now.world_id)
+      throw std::invalid_argument(options.folders[1] + ": not to be compared with " +
+                                  options.folders[0] + ": scenario " + in_quotes(now.scenario) +
+                                  ", repetition " + std::to_string(now.repetition) +
+                                  ", has another world");
+    return same_flight(before, now);
+  };
 }
 
 RunComparison compare_folders(const CompareOptions& options, const CommandContext& context) {
@@ -63,34 +69,38 @@ RunComparison compare_folders(const CompareOptions& options, const CommandContex
         differing.front() +
         (differing.size() > 1 ? " and " + std::to_string(differing.size() - 1) + " more" : "") +
         " (what is meant to differ: --across KEY)");
-  require_same_worlds(options, before.store().records(), now.store().records());
-  return now.compare_with(before, config_of(options));
+  ComparisonConfig config = config_of(options);
+  config.same_flight = same_flight_in_one_world(options);
+  return now.compare_with(before, config);
 }
 
-// The trials of one planner, by a name that both sides of the comparison share.
-std::vector<RunRecord> trials_of(const std::string& planner, const std::string& name,
-                                 const std::vector<RunRecord>& records) {
-  std::vector<RunRecord> trials;
-  std::vector<std::string> known;
-  for (const RunRecord& record : records) {
-    if (std::find(known.begin(), known.end(), record.planner) == known.end())
-      known.push_back(record.planner);
-    if (record.planner != planner) continue;
-    trials.push_back(record);
-    trials.back().planner = name;
-  }
-  if (trials.empty())
-    throw std::invalid_argument("--planners: no trial of " + in_quotes(planner) +
-                                allowed_names(planner, known));
-  return trials;
+// The trials of one planner, by a name that both sides of the comparison share. At the end
+// std::invalid_argument if there was none.
+NextRecord trials_of(const std::string& planner, const std::string& name,
+                     const ResultStore& store) {
+  return [next = store.records_in(kPairingOrder), planner, name, any = false,
+          known = std::set<std::string>()]() mutable -> std::optional<RunRecord> {
+    while (auto record = next()) {
+      known.insert(record->planner);
+      if (record->planner != planner) continue;
+      any = true;
+      record->planner = name;
+      return record;
+    }
+    if (!any)
+      throw std::invalid_argument("--planners: no trial of " + in_quotes(planner) +
+                                  allowed_names(planner, {known.begin(), known.end()}));
+    return std::nullopt;
+  };
 }
 
 RunComparison compare_planners(const CompareOptions& options) {
-  const auto records = OutputFolder::open(options.folders[0]).store().records();
+  const OutputFolder folder = OutputFolder::open(options.folders[0]);
   const std::string& before = options.planners[0];
   const std::string& now = options.planners[1];
-  RunComparison comparison = compare_runs(trials_of(now, now, records),
-                                          trials_of(before, now, records), config_of(options));
+  RunComparison comparison =
+      compare_runs(trials_of(now, now, folder.store()), trials_of(before, now, folder.store()),
+                   config_of(options));
   comparison.title = before;
   return comparison;
 }

@@ -15,6 +15,7 @@
 #include "voronaut/benchmarks/results/output_folder.h"
 #include "voronaut/benchmarks/suite/shard.h"
 #include "voronaut/benchmarks/suite/suite_trials.h"
+#include "voronaut/environments/config/nearest_name.h"
 #include "voronaut/reports/store/atomic_file.h"
 
 // Runs in shards on engines of others.
@@ -124,6 +125,11 @@ ExitCode execute(const SubmitOptions& options, const CommandContext& context) {
   write_files(engine_of(options.engine).files(run), folder);
   context.out << trials << " trials in " << run.shards << " shards: " << folder.string()
               << std::endl;
+  if (suite.flight.budget.counts == PlanningBudget::Counts::wall_clock)
+    context.err << "voronaut: suite " << in_quotes(suite.name)
+                << ": its budget is wall clock (budget.wall_clock_s), results hang on the machines "
+                   "and the digest will not repeat"
+                << std::endl;
   const std::filesystem::path script = folder / "submit";
   if (options.dry_run || !std::filesystem::exists(script)) return ExitCode::success;
   return code_of(run_script(script));

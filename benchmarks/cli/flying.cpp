@@ -49,8 +49,10 @@ FlownPart fly_missing(const SuiteConfig& suite, std::size_t jobs, const Part& pa
                     SuiteTrials(suite).total() / part.share.shard.count,
                     std::chrono::steady_clock::now());
   SharedReferences shared(folder.path(), "references-" + program_id().substr(0, 12) + ".txt");
-  ShortestReferences references =
-      part.shard ? ShortestReferences(shared.sharing(isolated_length())) : isolated_references();
+  ShortestReferences references = part.shard
+                                      ? ShortestReferences(shared.sharing(isolated_length()),
+                                                           shared.sharing(isolated_difficulty()))
+                                      : isolated_references();
   const RunReport run = run_suite(suite, trial, jobs > 0 ? jobs : ProcessPool::default_jobs(),
                                   references, folder.store(), progress, part.share);
   if (run.stopped) {

@@ -1,7 +1,12 @@
+#include <algorithm>
+#include <array>
+#include <deque>
+#include <iterator>
 #include <map>
+#include <optional>
 #include <ostream>
 #include <stdexcept>
-#include <unordered_map>
+#include <utility>
 
 #include "voronaut/benchmarks/cli/commands.h"
 #include "voronaut/benchmarks/results/merge.h"
@@ -19,7 +24,7 @@ ExitCode execute(const MergeOptions& options, const CommandContext& context) {
                          options.mixed_builds,
                          context.command_line};
   const OutputFolder merged = merge_folders(order);
-  context.out << merged.store().trial_ids().size() << " trials in " << options.out << "\n"
+  context.out << merged.store().size() << " trials in " << options.out << "\n"
               << merged.note_on_builds();
   return ExitCode::success;
 }
@@ -32,34 +37,61 @@ struct Count {
   std::size_t failed = 0;
 };
 
-using FailedById = std::unordered_map<std::string, bool>;
+// Whether each stored trial was cut off, by the first half of its id, which is 128 bits.
+class StoredTrials {
+ public:
+  void add(const std::string& id, bool failed) { trials_.emplace_back(half_of(id), failed); }
+  // Of a trial that several folders hold the last one counts.
+  void sort() {
+    std::stable_sort(trials_.begin(), trials_.end(),
+                     [](const Trial& a, const Trial& b) { return a.first < b.first; });
+  }
+  std::optional<bool> failed(const std::string& id) const {
+    const auto after =
+        std::upper_bound(trials_.begin(), trials_.end(), half_of(id),
+                         [](const Half& half, const Trial& trial) { return half < trial.first; });
+    if (after == trials_.begin() || std::prev(after)->first != half_of(id)) return std::nullopt;
+    return std::prev(after)->second;
+  }
+
+ private:
+  using Half = std::array<char, 32>;
+  using Trial = std::pair<Half, bool>;
+  static Half half_of(const std::string& id) {
+    Half half{};
+    std::copy_n(id.begin(), std::min(id.size(), half.size()), half.begin());
+    return half;
+  }
+  std::deque<Trial> trials_;
+};
 
 // All rows of a run, wherever they lie.
-FailedById rows_of(const std::vector<std::filesystem::path>& folders, const std::string& identity) {
-  FailedById failed;
+StoredTrials rows_of(const std::vector<std::filesystem::path>& folders,
+                     const std::string& identity) {
+  StoredTrials rows;
   for (const auto& folder : folders) {
     const OutputFolder part = OutputFolder::open(folder);
     if (part.store().meta("suite_identity") != identity)
       throw std::invalid_argument(folder.string() +
                                   ": holds results of another version of this "
                                   "suite");
-    for (const RunRecord& record : part.store().records())
-      failed[record.trial_id] = entry_of(record.outcome).cut_off;
+    part.store().for_each_record(
+        [&](const RunRecord& record) {
+          rows.add(record.trial_id, entry_of(record.outcome).cut_off);
+        },
+        "rowid");
   }
-  return failed;
+  rows.sort();
+  return rows;
 }
 
-std::map<std::string, Count> count_by_planner(const SuiteConfig& suite, const FailedById& failed) {
+std::map<std::string, Count> count_by_planner(const SuiteConfig& suite, const StoredTrials& rows) {
   std::map<std::string, Count> counts;
   SuiteTrials trials(suite, rehearse_in_child());
   while (const auto planned = trials.next()) {
     Count& count = counts[planned->spec.planner.label];
-    const auto row = failed.find(planned->spec.trial_id);
-    if (row == failed.end()) {
-      ++count.missing;
-    } else {
-      ++(row->second ? count.failed : count.done);
-    }
+    const std::optional<bool> failed = rows.failed(planned->spec.trial_id);
+    ++(!failed ? count.missing : *failed ? count.failed : count.done);
   }
   return counts;
 }
@@ -88,7 +120,7 @@ SuiteSource source_of_status(const StatusOptions& options,
 ExitCode execute(const StatusOptions& options, const CommandContext& context) {
   const auto folders = folders_with_results(options.folder);
   SuiteConfig suite = source_of_status(options, folders).read(context.planners);
-  const FailedById rows = rows_of(folders, suite_identity(suite));
+  const StoredTrials rows = rows_of(folders, suite_identity(suite));
   if (!options.planners.empty()) keep_planners(suite, options.planners);
   const auto counts = count_by_planner(suite, rows);
 

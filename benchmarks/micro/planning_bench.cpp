@@ -104,7 +104,8 @@ void replan_parts(benchmark::State& state, const std::string& family) {
       course.fly(planners, [&](const ObstacleSnapshot& obstacles, const Vec2& p) {
         const std::vector<Vec2> places = {p, config.goal_world};
         const double start_us = now_us();
-        router.observe(obstacles.points(), config.bounds_world, config.clearance_min_m, places);
+        router.observe(obstacles.points(), config.bounds_world, config.planning_clearance_m,
+                       places);
         const double observed_us = now_us() - start_us;
         router.graph();
         const double built_us = now_us() - start_us;

@@ -251,8 +251,9 @@ void OutputFolder::write_report(const fs::path& file, std::optional<RunCompariso
 RunComparison OutputFolder::compare_with(const OutputFolder& before,
                                          const ComparisonConfig& config) const {
   ComparisonConfig with_flights = config;
-  with_flights.same_flight = same_flight;
-  RunComparison comparison = compare_runs(store_.records(), before.store_.records(), with_flights);
+  if (!with_flights.same_flight) with_flights.same_flight = same_flight;
+  RunComparison comparison = compare_runs(store_.records_in(kPairingOrder),
+                                          before.store_.records_in(kPairingOrder), with_flights);
   comparison.title = before.folder_.string();
   comparison.commit = commit_in(text_of(before.file("manifest.json")));
   return comparison;

@@ -86,18 +86,4 @@ std::vector<std::string> suite_differences(const SuiteConfig& before, const Suit
   return differences;
 }
 
-std::string first_other_world(const std::vector<RunRecord>& before,
-                              const std::vector<RunRecord>& now) {
-  std::map<std::tuple<std::string, std::int64_t>, std::string> worlds;
-  for (const RunRecord& r : before)
-    if (!r.world_id.empty()) worlds.emplace(std::tuple(r.scenario, r.repetition), r.world_id);
-  for (const RunRecord& r : now) {
-    const auto other = worlds.find({r.scenario, r.repetition});
-    if (!r.world_id.empty() && other != worlds.end() && other->second != r.world_id)
-      return "scenario " + in_quotes(r.scenario) + ", repetition " + std::to_string(r.repetition) +
-             ",";
-  }
-  return {};
-}
-
 }  // namespace voronaut

@@ -4,7 +4,6 @@
 #include <vector>
 
 #include "voronaut/benchmarks/suite/suite_config.h"
-#include "voronaut/reports/run_record.h"
 
 namespace voronaut {
 
@@ -14,10 +13,5 @@ namespace voronaut {
 // the keys that `across` names, or what lies below them.
 std::vector<std::string> suite_differences(const SuiteConfig& before, const SuiteConfig& now,
                                            const std::vector<std::string>& across);
-
-// "scenario 'forest', repetition 3" that has another world in one run than in the other; empty if
-// none does.
-std::string first_other_world(const std::vector<RunRecord>& before,
-                              const std::vector<RunRecord>& now);
 
 }  // namespace voronaut

@@ -1,7 +1,9 @@
 #include "voronaut/benchmarks/runner/isolated_world.h"
 
 #include <cstring>
+#include <functional>
 #include <stdexcept>
+#include <type_traits>
 #include <utility>
 
 #include "voronaut/benchmarks/isolation/child_process.h"
@@ -23,26 +25,43 @@ ChildReport run_undisturbed(const ChildProcess::Work& work) {
   return ended;
 }
 
-std::string bytes_of(double value) {
-  std::string bytes(sizeof value, '\0');
-  std::memcpy(bytes.data(), &value, sizeof value);
-  return bytes;
+// What `compute` makes in a child; `what` it is of the world stands in the error.
+template <class Value>
+Value computed_in_child(const char* what, const std::function<Value()>& compute) {
+  static_assert(std::is_trivially_copyable_v<Value>);
+  const ChildReport ended = run_undisturbed([&] {
+    const Value value = compute();
+    std::string bytes(sizeof value, '\0');
+    std::memcpy(bytes.data(), &value, sizeof value);
+    return bytes;
+  });
+  Value value;
+  if (ended.end != ChildReport::End::finished || ended.output.size() != sizeof value)
+    throw std::runtime_error(std::string(what) + " of its world: " + end_in_words(ended, kLimits));
+  std::memcpy(&value, ended.output.data(), sizeof value);
+  return value;
 }
 
 }  // namespace
 
-ShortestReferences isolated_references(ShortestReferences::Length length) {
-  return ShortestReferences(isolated_length(std::move(length)));
+ShortestReferences isolated_references(ShortestReferences::Length length,
+                                       ShortestReferences::Difficulty difficulty) {
+  return ShortestReferences(isolated_length(std::move(length)),
+                            isolated_difficulty(std::move(difficulty)));
 }
 
 ShortestReferences::Length isolated_length(ShortestReferences::Length length) {
   return [length = std::move(length)](const Scenario& scenario, double radius_m) {
-    const ChildReport ended = run_undisturbed([&] { return bytes_of(length(scenario, radius_m)); });
-    double length_m = kAbsent;
-    if (ended.end != ChildReport::End::finished || ended.output.size() != sizeof length_m)
-      throw std::runtime_error("the shortest path of its world: " + end_in_words(ended, kLimits));
-    std::memcpy(&length_m, ended.output.data(), sizeof length_m);
-    return length_m;
+    return computed_in_child<double>("the shortest path",
+                                     [&] { return length(scenario, radius_m); });
+  };
+}
+
+ShortestReferences::Difficulty isolated_difficulty(ShortestReferences::Difficulty difficulty) {
+  if (!difficulty) return nullptr;
+  return [difficulty = std::move(difficulty)](const Scenario& scenario) {
+    return computed_in_child<WorldDifficulty>("the free share and the narrowest passage",
+                                              [&] { return difficulty(scenario); });
   };
 }
 

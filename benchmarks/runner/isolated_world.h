@@ -12,10 +12,15 @@ namespace voronaut {
 ShortestReferences::Length isolated_length(
     ShortestReferences::Length length = ShortestReferences::exact_length_m);
 
-// Each length computed in a child, once for a world and a radius. add_to() throws
-// std::runtime_error that says how the child ended, where it brought no length.
+// The same of a world's difficulty; null for null.
+ShortestReferences::Difficulty isolated_difficulty(
+    ShortestReferences::Difficulty difficulty = ShortestReferences::exact_difficulty);
+
+// Each of both computed in a child, once for a world. add_to() throws std::runtime_error that says
+// how the child ended, where it brought nothing.
 ShortestReferences isolated_references(
-    ShortestReferences::Length length = ShortestReferences::exact_length_m);
+    ShortestReferences::Length length = ShortestReferences::exact_length_m,
+    ShortestReferences::Difficulty difficulty = ShortestReferences::exact_difficulty);
 
 // Makes a world in a child that is thrown away: a world that ends its process does so there.
 SuiteTrials::Rehearse rehearse_in_child();

@@ -18,7 +18,7 @@ class StaticProblem::Truth : public KnownGeometry {
   Truth(const World& world, double clearance_m) : world_(world), clearance_m_(clearance_m) {}
 
   const ObstacleSnapshot& known_obstacles() const override { return nothing_; }
-  double clearance_min_m() const override { return clearance_m_; }
+  double planning_clearance_m() const override { return clearance_m_; }
   bool motion_is_clear(const Vec2& a, const Vec2& b) const override {
     ++checks;
     return world_.segment_is_clear(a, b, clearance_m_);
@@ -61,10 +61,10 @@ class TrueChecker : public ob::StateValidityChecker {
 
 }  // namespace
 
-StaticProblem::StaticProblem(const Scenario& scenario, double clearance_min_m)
-    : truth_(std::make_shared<Truth>(*scenario.world, clearance_min_m)),
+StaticProblem::StaticProblem(const Scenario& scenario, double planning_clearance_m)
+    : truth_(std::make_shared<Truth>(*scenario.world, planning_clearance_m)),
       problem_({scenario.world->bounds(), scenario.goal_world, scenario.goal_tolerance_m,
-                clearance_min_m}) {
+                planning_clearance_m}) {
   const ob::SpaceInformationPtr& si = space_information();
   si->setStateValidityChecker(std::make_shared<TrueChecker<Truth>>(si, *truth_));
   si->setMotionValidator(std::make_shared<SweptDiscMotionValidator>(si, *truth_));

@@ -9,11 +9,11 @@
 namespace voronaut {
 
 // A scenario as a static problem for OMPL: states and motions are exact against the true shapes at
-// clearance_min_m > 0. Planners see the world through the space information's validity checker and
-// motion validator alone. The scenario must outlive it.
+// planning_clearance_m > 0. Planners see the world through the space information's validity checker
+// and motion validator alone. The scenario must outlive it.
 class StaticProblem {
  public:
-  StaticProblem(const Scenario& scenario, double clearance_min_m);
+  StaticProblem(const Scenario& scenario, double planning_clearance_m);
   ~StaticProblem();
 
   const ompl::base::SpaceInformationPtr& space_information() const {

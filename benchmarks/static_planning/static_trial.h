@@ -6,8 +6,8 @@ namespace voronaut {
 
 // A trial of a suite of kind `static`: the whole true world is given and nobody moves, as in
 // ompl::tools::Benchmark. States and motions are exact against the true shapes at the vehicle's
-// clearance_min_m; planners see them through the validity checker and motion validator alone. Two
-// solves: the first, of a problem and with a seed of its own, takes the page faults of a new
+// planning_clearance_m; planners see them through the validity checker and motion validator alone.
+// Two solves: the first, of a problem and with a seed of its own, takes the page faults of a new
 // process out of the second, which is seeded anew and measured. Who crashes in either has crashed.
 // In the row:
 //

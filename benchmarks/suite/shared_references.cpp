@@ -14,7 +14,8 @@ namespace {
 constexpr const char* kNoPath = "none";
 constexpr const char* kEnd = "end";
 
-// "world radius length end", one blank between: without the last word it was cut off.
+// "world radius length end", or "world free_share 0.8 end"; one blank between: without the last
+// word it was cut off.
 std::string line_of(const std::string& world, const std::string& radius, double length_m) {
   const std::string length = cell_text(length_m);
   return world + " " + radius + " " + (length.empty() ? kNoPath : length) + " " + kEnd + "\n";
@@ -48,15 +49,39 @@ ShortestReferences::Length SharedReferences::sharing(ShortestReferences::Length 
   };
 }
 
+ShortestReferences::Difficulty SharedReferences::sharing(
+    ShortestReferences::Difficulty difficulty) {
+  return [this, difficulty = std::move(difficulty)](const Scenario& scenario) {
+    return difficulty_of(scenario, difficulty);
+  };
+}
+
 double SharedReferences::length_m(const Scenario& scenario, double radius_m,
                                   const ShortestReferences::Length& length) {
-  const WorldAndRadius key{world_id(scenario), cell_text(radius_m)};
-  if (!known_.contains(key)) read_what_is_new();
-  if (const auto found = known_.find(key); found != known_.end()) return found->second;
+  const WorldAndWhat key{world_id(scenario), cell_text(radius_m)};
+  if (const double* known = find(key)) return *known;
   const double computed_m = length(scenario, radius_m);
-  known_[key] = computed_m;
-  append(key, computed_m);
+  keep(key, computed_m);
   return computed_m;
+}
+
+WorldDifficulty SharedReferences::difficulty_of(const Scenario& scenario,
+                                                const ShortestReferences::Difficulty& difficulty) {
+  const WorldAndWhat share{world_id(scenario), "free_share"};
+  const WorldAndWhat passage{share.first, "narrowest_passage_m"};
+  const double* known_share = find(share);
+  const double* known_passage = find(passage);
+  if (known_share != nullptr && known_passage != nullptr) return {*known_share, *known_passage};
+  const WorldDifficulty computed = difficulty(scenario);
+  keep(share, computed.free_share);
+  keep(passage, computed.narrowest_passage_m);
+  return computed;
+}
+
+const double* SharedReferences::find(const WorldAndWhat& key) {
+  if (!known_.contains(key)) read_what_is_new();
+  const auto found = known_.find(key);
+  return found != known_.end() ? &found->second : nullptr;
 }
 
 void SharedReferences::read_what_is_new() {
@@ -79,11 +104,12 @@ void SharedReferences::read_what_is_new() {
   }
 }
 
-void SharedReferences::append(const WorldAndRadius& key, double length_m) {
+void SharedReferences::keep(const WorldAndWhat& key, double value) {
+  known_[key] = value;
   const std::filesystem::path file = own_folder_ / file_name_;
   std::ofstream out(file, std::ios::binary | std::ios::app);
   // The line before may have been cut off.
-  out << "\n" + line_of(key.first, key.second, length_m) << std::flush;
+  out << "\n" + line_of(key.first, key.second, value) << std::flush;
 }
 
 }  // namespace voronaut

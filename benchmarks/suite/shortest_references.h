@@ -9,28 +9,46 @@
 
 namespace voronaut {
 
-// Lengths of the shortest paths on the true world, each computed once for a world and a radius.
+// How hard a world is, whatever flies there; NaN where nothing says so.
+struct WorldDifficulty {
+  double free_share = kAbsent;           // of the bounds that no solid covers
+  double narrowest_passage_m = kAbsent;  // see narrowest_passage.h; NaN where it is infinite
+};
+
+// What is known of true worlds: lengths of shortest paths, each computed once for a world and a
+// radius, and how hard they are, once for a world.
 class ShortestReferences {
  public:
   // Length from start to goal of a scenario for a disc of that radius; NaN if there is no path.
   using Length = std::function<double(const Scenario& scenario, double radius_m)>;
 
-  explicit ShortestReferences(Length length) : length_(std::move(length)) {}
-  // By environments/shortest_path/shortest_path.h.
+  using Difficulty = std::function<WorldDifficulty(const Scenario& scenario)>;
+
+  // Without `difficulty` nothing is said about it.
+  explicit ShortestReferences(Length length, Difficulty difficulty = nullptr)
+      : length_(std::move(length)), difficulty_(std::move(difficulty)) {}
+  // By environments/shortest_path and polygons.
   static ShortestReferences exact();
   static double exact_length_m(const Scenario& scenario, double radius_m);
 
-  // Fills shortest_length_m (at the body's radius) and shortest_at_clearance_m. A
-  // std::runtime_error of `length` passes through, each time.
+  static WorldDifficulty exact_difficulty(const Scenario& scenario);
+
+  // Fills shortest_length_m (at the body's radius), shortest_at_clearance_m, free_share and
+  // narrowest_passage_m. A std::runtime_error of `length` or `difficulty` passes through, each
+  // time.
   void add_to(TrialSpec& spec);
 
  private:
   double length_m(const TrialSpec& spec, double radius_m);
+  WorldDifficulty difficulty_of(const TrialSpec& spec);
 
   Length length_;
   using WorldAndRadius = std::pair<std::string, double>;  // the world's id
   std::map<WorldAndRadius, double> known_;
   std::map<WorldAndRadius, std::string> failed_;  // why
+  Difficulty difficulty_;
+  std::map<std::string, WorldDifficulty> difficulties_;  // by the world's id
+  std::map<std::string, std::string> not_rated_;         // why
 };
 
 }  // namespace voronaut

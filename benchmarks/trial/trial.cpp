@@ -28,6 +28,8 @@ RunRecord record_before_flight(const TrialSpec& spec) {
   record.shortest_length_m = spec.shortest_length_m;
   record.shortest_at_clearance_m = spec.shortest_at_clearance_m;
   if (spec.scenario.barn_length_m > 0) record.barn_score = 0;  // until it arrives
+  record.free_share = spec.free_share;
+  record.narrowest_passage_m = spec.narrowest_passage_m;
   return record;
 }
 

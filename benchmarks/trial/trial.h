@@ -51,6 +51,10 @@ struct TrialSpec {
   double shortest_length_m = kAbsent;
   double shortest_at_clearance_m = kAbsent;
 
+  // How hard the world is, computed once for it; NaN where nothing says so.
+  double free_share = kAbsent;
+  double narrowest_passage_m = kAbsent;
+
   // What the world's obstacles are to the referee; where it is null the trial makes its own.
   std::shared_ptr<const CollisionScene> contacts = nullptr;
 };

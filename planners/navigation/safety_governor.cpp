@@ -26,11 +26,11 @@ const Bounds SafetyGovernor::kEverywhere{Vec2::Constant(-std::numeric_limits<dou
                                          Vec2::Constant(std::numeric_limits<double>::infinity())};
 
 SafetyGovernor::SafetyGovernor(const VelocityResponse& response, double body_radius_m,
-                               double clearance_min_m, double hold_s,
+                               double planning_clearance_m, double hold_s,
                                const Bounds& centre_bounds_world)
     : response_(response),
       body_radius_m_(body_radius_m),
-      keep_from_known_m_(clearance_min_m - kKnownMargin_m),
+      keep_from_known_m_(planning_clearance_m - kKnownMargin_m),
       hold_s_(hold_s),
       centre_bounds_world_(centre_bounds_world) {}
 
@@ -92,7 +92,7 @@ std::size_t SafetyGovernor::safe_level(const Vec2& v_wanted_world, const PlanarM
 
 Vec2 SafetyGovernor::command_at(double speed_scale, const Vec2& v_wanted_world,
                                 const PlanarMotion& now) const {
-  return now.v_m_s + kLead * (speed_scale * v_wanted_world - now.v_m_s);
+  return now.v_m_s + kVelocityGain * (speed_scale * v_wanted_world - now.v_m_s);
 }
 
 double SafetyGovernor::tube_radius_m(double speed_scale, const Vec2& v_wanted_world,

@@ -49,8 +49,8 @@ struct GovernedVelocity {
 // The bounds hold the centre as a wall would that nobody sees: a track keeps from them what a stop
 // may stray; from closer by, a slow command leads inwards as it leads away from unknown cells.
 //
-// Besides, a track keeps min(clearance_min_m - kKnownMargin_m, the clearance there is now) from
-// known points: closer than that planner and governor would wait for each other.
+// Besides, a track keeps min(planning_clearance_m - kKnownMargin_m, the clearance there is now)
+// from known points: closer than that planner and governor would wait for each other.
 //
 // The idea that a plan may lead through the unknown as long as a stop within the known remains:
 // Tordesillas et al., FASTER, arXiv:2001.04420.
@@ -58,13 +58,14 @@ class SafetyGovernor {
  public:
   static constexpr double kKnownMargin_m = 0.03;
   static const Bounds kEverywhere;
-  // What is commanded lies beyond the velocity wanted, v + kLead (wanted - v), so that the vehicle
-  // gets there with a velocity loop kLead times as fast as its regulator's.
-  static constexpr double kLead = 1.6;
+  // What is commanded lies beyond the velocity wanted, v + kVelocityGain (wanted - v), so that the
+  // vehicle gets there with a velocity loop kVelocityGain times as fast as its regulator's.
+  static constexpr double kVelocityGain = 1.6;
 
   // `centre_bounds_world`: where the centre may be.
-  SafetyGovernor(const VelocityResponse& response, double body_radius_m, double clearance_min_m,
-                 double hold_s, const Bounds& centre_bounds_world = kEverywhere);
+  SafetyGovernor(const VelocityResponse& response, double body_radius_m,
+                 double planning_clearance_m, double hold_s,
+                 const Bounds& centre_bounds_world = kEverywhere);
 
   // What a track at the present speed keeps from the bounds.
   double room_to_bounds_m(const VehicleState& state) const;

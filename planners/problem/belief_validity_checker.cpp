@@ -11,11 +11,11 @@ namespace voronaut {
 namespace ob = ompl::base;
 
 BeliefValidityChecker::BeliefValidityChecker(const ob::SpaceInformationPtr& si,
-                                             double clearance_min_m)
+                                             double planning_clearance_m)
     : StateValidityChecker(si),
-      clearance_min_m_(clearance_min_m),
+      planning_clearance_m_(planning_clearance_m),
       horizon_m_(si->getMaximumExtent()),
-      relaxation_(clearance_min_m) {
+      relaxation_(planning_clearance_m) {
   specs_.clearanceComputationType = ob::StateValidityCheckerSpecs::EXACT;
 }
 
@@ -27,11 +27,11 @@ void BeliefValidityChecker::look_at(const Belief& belief, const Vec2& start_worl
 void BeliefValidityChecker::look_at(const ObstacleSnapshot& obstacles, const Vec2& start_world) {
   belief_ = nullptr;
   obstacles_ = obstacles;
-  obstacles_.expect_checks(clearance_min_m_);
-  relaxation_ = StartRelaxation(clearance_min_m_);
-  if (const auto closest = obstacles_.nearest(start_world, clearance_min_m_)) {
+  obstacles_.expect_checks(planning_clearance_m_);
+  relaxation_ = StartRelaxation(planning_clearance_m_);
+  if (const auto closest = obstacles_.nearest(start_world, planning_clearance_m_)) {
     const double start_clearance_m = (obstacles_.points()[*closest] - start_world).norm();
-    relaxation_ = StartRelaxation(clearance_min_m_, start_world, start_clearance_m);
+    relaxation_ = StartRelaxation(planning_clearance_m_, start_world, start_clearance_m);
   }
 }
 
@@ -48,7 +48,7 @@ double BeliefValidityChecker::clearance(const ob::State* state) const {
 
 bool BeliefValidityChecker::motion_is_clear(const Vec2& a, const Vec2& b) const {
   count();
-  if (!relaxation_.active()) return obstacles_.swept_disc_is_clear(a, b, clearance_min_m_);
+  if (!relaxation_.active()) return obstacles_.swept_disc_is_clear(a, b, planning_clearance_m_);
   const ClearancePieces pieces = relaxation_.split(a, b);
   return std::all_of(pieces.piece.begin(), pieces.piece.begin() + pieces.count,
                      [&](const ClearancePiece& piece) {
@@ -58,7 +58,7 @@ bool BeliefValidityChecker::motion_is_clear(const Vec2& a, const Vec2& b) const 
 
 double BeliefValidityChecker::clearance_m(const Vec2& p) const {
   // Growing rings: a query costs the cells in reach, and most states have a point nearby.
-  for (double reach_m = 2 * clearance_min_m_; reach_m < horizon_m_; reach_m *= 2) {
+  for (double reach_m = 2 * planning_clearance_m_; reach_m < horizon_m_; reach_m *= 2) {
     if (const auto closest = obstacles_.nearest(p, reach_m))
       return (obstacles_.points()[*closest] - p).norm();
   }

@@ -14,15 +14,15 @@
 namespace voronaut {
 
 // A state is valid if the vehicle's centre lies within the space's bounds and no known point is
-// closer than clearance_min_m (relaxed around a start that is too close already). Exact: no step
-// size. Before the first look_at() nothing is known and everything within bounds is free.
+// closer than planning_clearance_m (relaxed around a start that is too close already). Exact: no
+// step size. Before the first look_at() nothing is known and everything within bounds is free.
 //
 // Queries cost O(points near the disc or the swept disc) and may come from several threads;
 // checks() may then miss a few.
 class BeliefValidityChecker : public ompl::base::StateValidityChecker, public KnownGeometry {
  public:
   // The space must be one that position_of() (planar_state.h) can read.
-  BeliefValidityChecker(const ompl::base::SpaceInformationPtr& si, double clearance_min_m);
+  BeliefValidityChecker(const ompl::base::SpaceInformationPtr& si, double planning_clearance_m);
 
   // What is known from now on, seen from this start. The belief must stay alive until the next
   // call. Never during a solve.
@@ -36,7 +36,7 @@ class BeliefValidityChecker : public ompl::base::StateValidityChecker, public Kn
   using StateValidityChecker::clearance;
 
   const ObstacleSnapshot& known_obstacles() const override { return obstacles_; }
-  double clearance_min_m() const override { return clearance_min_m_; }
+  double planning_clearance_m() const override { return planning_clearance_m_; }
   bool motion_is_clear(const Vec2& a, const Vec2& b) const override;
   const Belief* belief() const override { return belief_; }
 
@@ -48,7 +48,7 @@ class BeliefValidityChecker : public ompl::base::StateValidityChecker, public Kn
  private:
   double clearance_m(const Vec2& p) const;
 
-  double clearance_min_m_;
+  double planning_clearance_m_;
   double horizon_m_;
   ObstacleSnapshot obstacles_;
   const Belief* belief_ = nullptr;

@@ -68,10 +68,11 @@ struct FclValidityChecker::Scene {
   }
 };
 
-FclValidityChecker::FclValidityChecker(const ob::SpaceInformationPtr& si, double clearance_min_m)
+FclValidityChecker::FclValidityChecker(const ob::SpaceInformationPtr& si,
+                                       double planning_clearance_m)
     : StateValidityChecker(si),
-      clearance_min_m_(clearance_min_m),
-      relaxation_(clearance_min_m),
+      planning_clearance_m_(planning_clearance_m),
+      relaxation_(planning_clearance_m),
       scene_(std::make_unique<Scene>()) {
   specs_.clearanceComputationType = ob::StateValidityCheckerSpecs::EXACT;
 }
@@ -83,7 +84,7 @@ void FclValidityChecker::look_at(const ObstacleSnapshot& obstacles, const Vec2& 
   for (const Vec2& p : obstacles.points()) scene_->add(p);
   scene_->tree.setup();
   obstacles_ = obstacles;
-  relaxation_ = StartRelaxation(clearance_min_m_, start_world, clearance_m(start_world));
+  relaxation_ = StartRelaxation(planning_clearance_m_, start_world, clearance_m(start_world));
 }
 
 bool FclValidityChecker::isValid(const ob::State* state) const {

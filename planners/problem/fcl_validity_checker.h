@@ -20,8 +20,8 @@ class FclValidityChecker : public ompl::base::StateValidityChecker, public Known
   static constexpr double kPointRadius_m = 0.01;
   static constexpr double kTolerance_m = 1e-6;
 
-  // clearance_min_m > kPointRadius_m.
-  FclValidityChecker(const ompl::base::SpaceInformationPtr& si, double clearance_min_m);
+  // planning_clearance_m > kPointRadius_m.
+  FclValidityChecker(const ompl::base::SpaceInformationPtr& si, double planning_clearance_m);
   ~FclValidityChecker() override;
 
   // As BeliefValidityChecker::look_at() on a static problem. O(points log points).
@@ -34,7 +34,7 @@ class FclValidityChecker : public ompl::base::StateValidityChecker, public Known
   using StateValidityChecker::clearance;
 
   const ObstacleSnapshot& known_obstacles() const override { return obstacles_; }
-  double clearance_min_m() const override { return clearance_min_m_; }
+  double planning_clearance_m() const override { return planning_clearance_m_; }
   bool motion_is_clear(const Vec2& a, const Vec2& b) const override;
   const Belief* belief() const override { return nullptr; }
 
@@ -43,7 +43,7 @@ class FclValidityChecker : public ompl::base::StateValidityChecker, public Known
 
   double clearance_m(const Vec2& p) const;
 
-  double clearance_min_m_;
+  double planning_clearance_m_;
   ObstacleSnapshot obstacles_;
   StartRelaxation relaxation_;
   std::unique_ptr<Scene> scene_;

@@ -13,9 +13,9 @@ class KnownGeometry {
   virtual ~KnownGeometry() = default;
 
   virtual const ObstacleSnapshot& known_obstacles() const = 0;
-  virtual double clearance_min_m() const = 0;
-  // Exact swept disc of radius clearance_min_m against the known obstacles, with the relaxation
-  // around a start that is too close to an obstacle already.
+  virtual double planning_clearance_m() const = 0;
+  // Exact swept disc of radius planning_clearance_m against the known obstacles, with the
+  // relaxation around a start that is too close to an obstacle already.
   virtual bool motion_is_clear(const Vec2& a, const Vec2& b) const = 0;
   // The live belief of a vehicle under way, or null for a static problem.
   virtual const Belief* belief() const = 0;

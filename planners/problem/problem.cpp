@@ -43,7 +43,7 @@ std::shared_ptr<ob::RealVectorStateSpace> plane(const Bounds& bounds_world) {
 PlanningProblem::PlanningProblem(const ProblemConfig& config) : config_(config) {
   const auto space = plane(config.bounds_world);
   si_ = std::make_shared<ob::SpaceInformation>(space);
-  checker_ = std::make_shared<BeliefValidityChecker>(si_, config.clearance_min_m);
+  checker_ = std::make_shared<BeliefValidityChecker>(si_, config.planning_clearance_m);
   si_->setStateValidityChecker(checker_);
   si_->setMotionValidator(std::make_shared<SweptDiscMotionValidator>(si_, *checker_));
   si_->setStateValidityCheckingResolution(kInterpolationSpacing_m / space->getMaximumExtent());
@@ -75,7 +75,7 @@ void PlanningProblem::pose_problem(const Vec2& start_world) {
 
   const auto place =
       place_for_goal(config_.goal_world, config_.goal_tolerance_m, config_.bounds_world,
-                     checker_->known_obstacles(), config_.clearance_min_m);
+                     checker_->known_obstacles(), config_.planning_clearance_m);
   goal_has_place_ = place.has_value();
   pose_goal(place.value_or(config_.goal_world));
   request_ = {start_world, config_.goal_world, place.value_or(config_.goal_world),

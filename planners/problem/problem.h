@@ -23,7 +23,7 @@ struct ProblemConfig {
   Bounds bounds_world;
   Vec2 goal_world = Vec2::Zero();
   double goal_tolerance_m = 0.2;
-  double clearance_min_m = 0.4;  // centre of the vehicle to the closest known point
+  double planning_clearance_m = 0.4;  // centre of the vehicle to the closest known point
 };
 
 class BeliefValidityChecker;
@@ -39,8 +39,8 @@ class PlanningProblem {
   const ompl::base::ProblemDefinitionPtr& definition() const { return definition_; }
 
   // Look at this belief from now on; it must stay alive until the next call. A start closer than
-  // clearance_min_m to a known point relaxes the clearance inside the disc around it, for every
-  // planner alike; solutions of an earlier solve are dropped.
+  // planning_clearance_m to a known point relaxes the clearance inside the disc around it, for
+  // every planner alike; solutions of an earlier solve are dropped.
   void update(const Belief& belief, const Vec2& start_world);
   // The same for a static problem: nobody is under way, planners see the whole of it at once.
   void update(const ObstacleSnapshot& obstacles, const Vec2& start_world);

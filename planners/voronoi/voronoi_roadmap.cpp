@@ -134,7 +134,7 @@ ob::PlannerStatus VoronoiRoadmap::solve_exactly(const KnownGeometry& known, bool
     return known.motion_is_clear(a, b);
   };
   const Bounds bounds = position_bounds(*si_->getStateSpace());
-  router_.observe(known.known_obstacles().points(), bounds, known.clearance_min_m(),
+  router_.observe(known.known_obstacles().points(), bounds, known.planning_clearance_m(),
                   starts_and_goals());
 
   Question answered{nullptr, nullptr, tolerance_m()};

@@ -56,18 +56,19 @@ std::string_view reason(Route::Verdict verdict) {
 
 void VoronoiRouter::clear() {
   points_.clear();
-  clearance_min_m_ = 0;
+  planning_clearance_m_ = 0;
   graph_is_current_ = false;
 }
 
 void VoronoiRouter::observe(std::span<const Vec2> points, const Bounds& bounds,
-                            double clearance_min_m, std::span<const Vec2> places) {
-  const bool continues = clearance_min_m == clearance_min_m_ && bounds.min == bounds_.min &&
-                         bounds.max == bounds_.max && points.size() >= points_.size() &&
+                            double planning_clearance_m, std::span<const Vec2> places) {
+  const bool continues = planning_clearance_m == planning_clearance_m_ &&
+                         bounds.min == bounds_.min && bounds.max == bounds_.max &&
+                         points.size() >= points_.size() &&
                          std::equal(points_.begin(), points_.end(), points.begin());
   bounds_ = bounds;
-  clearance_min_m_ = clearance_min_m;
-  radius_m_ = clearance_min_m + kMargin_m;
+  planning_clearance_m_ = planning_clearance_m;
+  radius_m_ = planning_clearance_m + kMargin_m;
   const Bounds domain = domain_for(points, places);
   if (!continues || domain.min != domain_.min || domain.max != domain_.max) {
     domain_ = domain;

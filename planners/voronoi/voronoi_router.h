@@ -57,9 +57,9 @@ std::string_view reason(Route::Verdict verdict);
 // Routes for a disc's centre among points, inside bounds, on one snapshot after another.
 //
 // Complete at its clearance, up to rounding: points are rounded to a lattice (delaunay.h), and the
-// radius used is clearance_min_m + kMargin_m, so that no route is ever closer than clearance_min_m
-// to a point as given, while passages narrower than 2 (clearance_min_m + 2 kMargin_m) may count as
-// closed.
+// radius used is planning_clearance_m + kMargin_m, so that no route is ever closer than
+// planning_clearance_m to a point as given, while passages narrower than 2 (planning_clearance_m +
+// 2 kMargin_m) may count as closed.
 class VoronoiRouter {
  public:
   static constexpr double kMargin_m = 1e-5;
@@ -69,7 +69,7 @@ class VoronoiRouter {
   // same bounds and clearance, only the new ones are worked in: O(new points); else the diagram is
   // built anew: O(n log n) expected for points in random order, near O(n) for points in the order
   // of a scan. Points too far outside the bounds to matter are left out.
-  void observe(std::span<const Vec2> points, const Bounds& bounds, double clearance_min_m,
+  void observe(std::span<const Vec2> points, const Bounds& bounds, double planning_clearance_m,
                std::span<const Vec2> places);
   void clear();
 
@@ -115,7 +115,7 @@ class VoronoiRouter {
 
   Bounds bounds_{Vec2::Zero(), Vec2::Zero()};
   Bounds domain_{Vec2::Zero(), Vec2::Zero()};
-  double clearance_min_m_ = 0;
+  double planning_clearance_m_ = 0;
   double radius_m_ = 0;
   std::vector<Vec2> points_;
   DelaunayTriangulation delaunay_;

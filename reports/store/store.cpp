@@ -257,8 +257,16 @@ void ResultStore::insert_world(const TraceWorld& world) {
 
 void ResultStore::for_each_record(const std::function<void(const RunRecord&)>& use,
                                   const std::string& order) const {
-  sqlite::Statement query(database_, "SELECT " + column_names() + " FROM trials ORDER BY " + order);
-  while (query.step()) use(read_record(query, database_.file()));
+  const auto next = records_in(order);
+  while (const auto record = next()) use(*record);
+}
+
+std::function<std::optional<RunRecord>()> ResultStore::records_in(const std::string& order) const {
+  const auto query = std::make_shared<sqlite::Statement>(
+      database_, "SELECT " + column_names() + " FROM trials ORDER BY " + order);
+  return [query, file = database_.file()] {
+    return query->step() ? std::optional(read_record(*query, file)) : std::nullopt;
+  };
 }
 
 std::vector<RunRecord> ResultStore::records() const {

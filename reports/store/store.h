@@ -74,6 +74,8 @@ class ResultStore {
   // bytes, and may end with a LIMIT.
   void for_each_record(const std::function<void(const RunRecord&)>& use,
                        const std::string& order = "trial_id") const;
+  // The same, one record at each call and nothing at the end. The store must outlive it.
+  std::function<std::optional<RunRecord>()> records_in(const std::string& order) const;
   std::size_t size() const;  // how many records
   // Ordered by trial_id (by bytes).
   std::vector<RunRecord> records() const;

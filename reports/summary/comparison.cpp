@@ -4,7 +4,7 @@
 #include <cmath>
 #include <map>
 #include <numeric>
-#include <set>
+#include <optional>
 #include <stdexcept>
 #include <tuple>
 #include <utility>
@@ -15,48 +15,7 @@ namespace voronaut {
 
 namespace {
 
-using Key =
-    std::tuple<std::string, std::string, std::string, std::string, std::string, std::int64_t>;
-
-Key key_of(const RunRecord& r) {
-  return {r.scenario_group, r.scenario, r.vehicle, r.regulator, r.planner, r.repetition};
-}
-
-struct Pair {
-  const RunRecord* before;
-  const RunRecord* now;
-};
-
 bool reached(const RunRecord& record) { return record.outcome == Outcome::goal_reached; }
-
-// The values of a statistic of the pairs that both have it, and what is resampled of them.
-struct PairedValues {
-  std::vector<double> before, now;
-  ResampledUnits units;
-  bool over_worlds = false;
-
-  std::size_t size() const { return now.size(); }
-};
-
-PairedValues paired_values(const Statistic& statistic, const std::vector<Pair>& pairs) {
-  PairedValues values;
-  std::map<std::string_view, std::size_t> worlds;
-  for (const Pair& pair : pairs) {
-    if (statistic.trials == TrialSet::goal_reached &&
-        !(reached(*pair.before) && reached(*pair.now)))
-      continue;
-    const double before = value_of(statistic, *pair.before);
-    const double now = value_of(statistic, *pair.now);
-    if (std::isnan(before) || std::isnan(now)) continue;
-    values.before.push_back(before);
-    values.now.push_back(now);
-    values.units.unit_of.push_back(worlds.emplace(pair.now->world_id, worlds.size()).first->second);
-  }
-  values.over_worlds = worlds.size() >= kFewestWorlds;
-  if (!values.over_worlds) std::iota(values.units.unit_of.begin(), values.units.unit_of.end(), 0U);
-  values.units.units = values.over_worlds ? worlds.size() : values.size();
-  return values;
-}
 
 double relative_change(double before, double now) {
   return before > 0 ? now / before - 1.0 : kAbsent;
@@ -128,19 +87,12 @@ ResampledValue change_in(const Statistic& statistic, const PairedValues& values)
   };
 }
 
-Change share_change(const PairedValues& values, double tolerance) {
-  std::int64_t both = 0, gained = 0, lost = 0;
-  for (std::size_t i = 0; i < values.size(); ++i) {
-    both += values.before[i] > 0 && values.now[i] > 0;
-    gained += values.before[i] == 0 && values.now[i] > 0;
-    lost += values.before[i] > 0 && values.now[i] == 0;
-  }
-  const auto n = static_cast<std::int64_t>(values.size());
-  Change change{paired_share_difference(both, gained, lost, n)};
-  if (n == 0) return change;
-  change.p = mcnemar_exact(gained, lost);
-  change.repetitions_needed =
-      pairs_needed_of_share(static_cast<double>(gained + lost) / static_cast<double>(n), tolerance);
+Change share_change(const PairedCounts& counts, double tolerance) {
+  Change change{paired_share_difference(counts.both, counts.gained, counts.lost, counts.n)};
+  if (counts.n == 0) return change;
+  change.p = mcnemar_exact(counts.gained, counts.lost);
+  change.repetitions_needed = pairs_needed_of_share(
+      static_cast<double>(counts.gained + counts.lost) / static_cast<double>(counts.n), tolerance);
   return change;
 }
 
@@ -164,39 +116,84 @@ Change relative_change(const Statistic& statistic, const PairedValues& all,
   return change;
 }
 
-// Pairs of a repetition.
-double pairs_at_once(const std::vector<Pair>& pairs) {
-  std::set<std::int64_t> repetitions;
-  for (const Pair& pair : pairs) repetitions.insert(pair.now->repetition);
-  return static_cast<double>(pairs.size()) / static_cast<double>(repetitions.size());
-}
+// Of a planner whose pairs come one after another.
+class PlannerComparison {
+ public:
+  PlannerComparison(const RunRecord& first, const ComparisonConfig& config)
+      : config_(config), pairs_(config.statistics) {
+    change_.group = {first.scenario_group, first.vehicle, first.regulator, false};
+    change_.planner = first.planner;
+  }
 
-PlannerChange change_of(const SummaryGroup& group, const std::string& planner,
-                        const std::vector<Pair>& pairs, const ComparisonConfig& config) {
-  PlannerChange change;
-  change.group = group;
-  change.planner = planner;
-  change.n = static_cast<std::int64_t>(pairs.size());
-  std::int64_t reached_before = 0;
-  std::int64_t reached_now = 0;
-  for (const auto& [before, now] : pairs) {
-    change.changed += !config.same_flight || !config.same_flight(*before, *now);
-    reached_before += reached(*before);
-    reached_now += reached(*now);
-    change.gained += !reached(*before) && reached(*now);
-    change.lost += reached(*before) && !reached(*now);
+  bool holds(const RunRecord& r) const {
+    return change_.planner == r.planner &&
+           change_.group == SummaryGroup{r.scenario_group, r.vehicle, r.regulator, false};
   }
-  change.reached_before = wilson_rate(reached_before, change.n);
-  change.reached_now = wilson_rate(reached_now, change.n);
-  for (const Statistic* statistic : config.statistics) {
-    const PairedValues values = paired_values(*statistic, pairs);
-    Change& one = change.changes.emplace_back(statistic->estimator == Estimator::rate
-                                                  ? share_change(values, config.tolerance)
-                                                  : relative_change(*statistic, values, config));
-    one.repetitions_needed = std::ceil(one.repetitions_needed / pairs_at_once(pairs));
+
+  void add(const RunRecord& before, const RunRecord& now) {
+    pairs_.add(before, now);
+    change_.changed += !config_.same_flight || !config_.same_flight(before, now);
+    before_ += reached(before);
+    now_ += reached(now);
+    change_.gained += !reached(before) && reached(now);
+    change_.lost += reached(before) && !reached(now);
   }
-  return change;
-}
+
+  PlannerChange change() {
+    change_.n = pairs_.size();
+    change_.reached_before = wilson_rate(before_, change_.n);
+    change_.reached_now = wilson_rate(now_, change_.n);
+    for (std::size_t i = 0; i < config_.statistics.size(); ++i) {
+      const Statistic& statistic = *config_.statistics[i];
+      Change& one = change_.changes.emplace_back(
+          statistic.estimator == Estimator::rate
+              ? share_change(pairs_.counts_of(i), config_.tolerance)
+              : relative_change(statistic, pairs_.values_of(i), config_));
+      one.repetitions_needed = std::ceil(one.repetitions_needed / pairs_.pairs_at_once());
+    }
+    return change_;
+  }
+
+ private:
+  const ComparisonConfig& config_;
+  PairedTrials pairs_;
+  std::int64_t before_ = 0, now_ = 0;  // that reached the goal
+  PlannerChange change_;
+};
+
+// The pairs that end differently, of very many those of the lowest repetitions.
+class OutcomeChanges {
+ public:
+  void add(const RunRecord& before, const RunRecord& now) {
+    if (before.outcome == now.outcome) return;
+    ++n_;
+    kept_.push_back({before.outcome, now});
+    if (kept_.size() >= 2 * kOutcomeChangesMax) keep_lowest();
+  }
+
+  std::int64_t size() const { return n_; }
+
+  std::vector<OutcomeChange> by_trial() {
+    if (kept_.size() > kOutcomeChangesMax) keep_lowest();
+    std::sort(kept_.begin(), kept_.end(), [](const OutcomeChange& a, const OutcomeChange& b) {
+      return a.now.trial_id < b.now.trial_id;
+    });
+    return std::move(kept_);
+  }
+
+ private:
+  void keep_lowest() {
+    const auto earlier = [](const OutcomeChange& a, const OutcomeChange& b) {
+      return std::tie(a.now.repetition, a.now.trial_id) <
+             std::tie(b.now.repetition, b.now.trial_id);
+    };
+    std::nth_element(kept_.begin(), kept_.begin() + kOutcomeChangesMax, kept_.end(), earlier);
+    kept_.resize(kOutcomeChangesMax);
+  }
+
+  std::int64_t n_ = 0;
+  std::vector<OutcomeChange> kept_;
+};
 
 ChangeVerdict verdict_of(const Change& change, Better better, double tolerance) {
   constexpr double kLevel = 0.05;
@@ -236,36 +233,53 @@ bool RunComparison::worse() const {
   return false;
 }
 
-RunComparison compare_runs(const std::vector<RunRecord>& now, const std::vector<RunRecord>& before,
+RunComparison compare_runs(const NextRecord& now, const NextRecord& before,
                            const ComparisonConfig& config) {
-  std::map<Key, const RunRecord*> partners;
-  for (const RunRecord& record : before) {
-    partners.emplace(key_of(record), &record);
-  }
   RunComparison comparison;
   comparison.tolerance = config.tolerance;
   comparison.statistics = config.statistics;
-  std::map<std::pair<SummaryGroup, std::string>, std::vector<Pair>> pairs;
-  for (const RunRecord& record : now) {
-    const auto partner = partners.find(key_of(record));
-    if (partner == partners.end()) {
-      ++comparison.only_here;
-      continue;
-    }
-    ++comparison.pairs;
-    const SummaryGroup group{record.scenario_group, record.vehicle, record.regulator, false};
-    pairs[{group, record.planner}].push_back({partner->second, &record});
-    if (partner->second->outcome != record.outcome) {
-      comparison.outcomes.push_back({partner->second->outcome, record});
-    }
-  }
-  comparison.only_there = static_cast<std::int64_t>(partners.size()) - comparison.pairs;
-  for (const auto& [key, list] : pairs) {
-    comparison.changes.push_back(change_of(key.first, key.second, list, config));
+  std::optional<PlannerComparison> planner;
+  OutcomeChanges outcomes;
+  const auto finish = [&] {
+    if (!planner) return;
+    comparison.changes.push_back(planner->change());
     comparison.changed += comparison.changes.back().changed;
-  }
+  };
+  const Unpaired alone = for_each_pair(before, now, [&](const RunRecord& was, const RunRecord& is) {
+    if (!planner || !planner->holds(is)) {
+      finish();
+      planner.emplace(is, config);
+    }
+    planner->add(was, is);
+    outcomes.add(was, is);
+    ++comparison.pairs;
+  });
+  finish();
+  comparison.only_here = alone.now;
+  comparison.only_there = alone.before;
+  comparison.ended_differently = outcomes.size();
+  comparison.outcomes = outcomes.by_trial();
   judge(comparison);
   return comparison;
+}
+
+namespace {
+
+NextRecord in_pairing_order(const std::vector<RunRecord>& records) {
+  std::vector<const RunRecord*> order;
+  for (const RunRecord& record : records) order.push_back(&record);
+  std::sort(order.begin(), order.end(),
+            [](const RunRecord* a, const RunRecord* b) { return before_in_pairing(*a, *b); });
+  return [order = std::move(order), next = std::size_t{0}]() mutable {
+    return next < order.size() ? std::optional(*order[next++]) : std::nullopt;
+  };
+}
+
+}  // namespace
+
+RunComparison compare_runs(const std::vector<RunRecord>& now, const std::vector<RunRecord>& before,
+                           const ComparisonConfig& config) {
+  return compare_runs(in_pairing_order(now), in_pairing_order(before), config);
 }
 
 }  // namespace voronaut

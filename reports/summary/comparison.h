@@ -8,6 +8,7 @@
 
 #include "voronaut/reports/run_record.h"
 #include "voronaut/reports/summary/estimate.h"
+#include "voronaut/reports/summary/paired_trials.h"
 #include "voronaut/reports/summary/statistics.h"
 #include "voronaut/reports/summary/summary.h"
 
@@ -60,8 +61,9 @@ struct RunComparison {
   std::int64_t changed = 0;             // pairs that flew differently
   std::int64_t only_here = 0;           // trials now without a partner
   std::int64_t only_there = 0;          // trials before without one
+  std::int64_t ended_differently = 0;   // pairs
   std::vector<PlannerChange> changes;   // by scenario group, vehicle, regulator, planner
-  std::vector<OutcomeChange> outcomes;  // pairs that end differently, in the order of `now`
+  std::vector<OutcomeChange> outcomes;  // of these, see kOutcomeChangesMax, by trial_id
 
   bool worse() const;  // by any statistic
 };
@@ -76,10 +78,16 @@ struct ComparisonConfig {
   BootstrapConfig bootstrap = {.resamples = 10'000};
 };
 
+// Pairs that end differently are listed, if there are more, those of the lowest repetitions.
+inline constexpr std::size_t kOutcomeChangesMax = 2000;
+
 // The worlds of a group are resampled, each with all of its pairs; where they are fewer than
 // kFewestWorlds the pairs are, and what is said is about these worlds alone. O(resamples * n), the
-// resamples fewer where n is large. Leaves title and commit empty.
-inline constexpr std::size_t kFewestWorlds = 6;  // below, no test can say 5 %
+// resamples fewer where n is large. Both runs come in kPairingOrder; PairedTrials says what is in
+// memory, for one planner at a time. Leaves title and commit empty.
+RunComparison compare_runs(const NextRecord& now, const NextRecord& before,
+                           const ComparisonConfig& config = {});
+// The same of records in any order.
 RunComparison compare_runs(const std::vector<RunRecord>& now, const std::vector<RunRecord>& before,
                            const ComparisonConfig& config = {});
 

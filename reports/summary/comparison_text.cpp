@@ -75,7 +75,7 @@ TextTable table_of(const RunComparison& comparison) {
 
 std::string counts_text(const RunComparison& comparison) {
   return std::to_string(comparison.changed) + " of " + std::to_string(comparison.pairs) +
-         " trials flew differently, " + std::to_string(comparison.outcomes.size()) +
+         " trials flew differently, " + std::to_string(comparison.ended_differently) +
          " end differently; " + std::to_string(comparison.only_here) + " here and " +
          std::to_string(comparison.only_there) + " there have no partner.\n";
 }

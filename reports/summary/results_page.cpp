@@ -31,7 +31,9 @@ std::string columns() {
   for (const RecordColumn& column : record_columns())
     table.rows.push_back({std::string(column.name), or_dash(column.unit), std::string(column.about),
                           std::string(words(column.trials)),
-                          column.kind == ColumnKind::measured ? "yes" : "no"});
+                          column.kind == ColumnKind::measured   ? "yes"
+                          : column.kind == ColumnKind::of_world ? "no; of the world"
+                                                                : "no"});
   return table.markdown();
 }
 
@@ -121,8 +123,9 @@ std::string results_page() {
          outcomes() +
          "\n## Columns\n\nOf a record: `results.csv`, table `trials` of `results.db`, exports. "
          "What is "
-         "measured differs from run to run and is not part of the digest; an absent number is NULL "
-         "in SQL and empty in CSV.\n\n" +
+         "measured differs from run to run and is not part of the digest, nor is what says how "
+         "hard "
+         "the world is; an absent number is NULL in SQL and empty in CSV.\n\n" +
          columns() +
          "\nA suite that sweeps has a column for each axis besides, after these in `results.csv` "
          "and before the statistics of `voronaut summary --csv`, called by its path. Its value "
@@ -140,6 +143,13 @@ std::string results_page() {
          statistics_table() +
          "\nOf more than 20 000 values the interval is what the bootstrap tends to: order "
          "statistics at the binomial's limits for a quantile, 1.96 standard errors for a mean.\n"
+         "\n`rank` is 1 + the number of planners of the group that are better. Two planners are "
+         "compared on the same scenario and repetition by two exact tests: who reached the goal "
+         "(McNemar's), and where both did, whose path is shorter by more than 1 % (a sign test); p "
+         "is corrected after Holm over all tests of the group. Better is who reaches the goal more "
+         "often at p < 0.05; where that is undecided, who has the shorter path more often at p < "
+         "0.05. As many better ones give the same rank: as a rule, "
+         "where the data cannot tell. `pairings` of `--json` has the p of every pair.\n"
          "\n## Database\n\n`results.db` is an SQLite database, `PRAGMA user_version` the version "
          "of "
          "its schema. A trial is safe as soon as it has ended: killing the program loses nothing "

@@ -129,7 +129,7 @@ std::string description_of(const Statistic& statistic) {
   return text;
 }
 
-double value_of(const Statistic& statistic, const RunRecord& record) {
+double value_of(const StatisticValue& of, const RunRecord& record) {
   return std::visit(
       [&](auto value) {
         if constexpr (std::is_member_pointer_v<decltype(value)>) {
@@ -138,7 +138,11 @@ double value_of(const Statistic& statistic, const RunRecord& record) {
           return value(record);
         }
       },
-      statistic.value);
+      of);
+}
+
+double value_of(const Statistic& statistic, const RunRecord& record) {
+  return value_of(statistic.value, record);
 }
 
 Estimate estimate_of(const Statistic& statistic, const Trials& trials,

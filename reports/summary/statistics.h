@@ -58,6 +58,7 @@ std::string_view estimator_words(const Statistic& statistic);
 // "median over trials that reached the goal: path flown, ..."
 std::string description_of(const Statistic& statistic);
 
+double value_of(const StatisticValue& value, const RunRecord& record);
 double value_of(const Statistic& statistic, const RunRecord& record);
 
 using Trials = std::vector<const RunRecord*>;

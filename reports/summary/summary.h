@@ -31,6 +31,7 @@ struct PlannerSummary {
   SummaryGroup group;
   std::string planner;
   std::int64_t n = 0;
+  std::int64_t rank = 1;  // 1 + planners of the group that are better (ranks.h)
   OutcomeCounts outcomes{};
   std::vector<Estimate> estimates;  // in the order of statistics()
 
@@ -49,7 +50,15 @@ struct PlannerPairing {
   std::int64_t wins_a = 0;
   std::int64_t ties = 0;
   std::int64_t wins_b = 0;
-  Estimate win_share_a;  // wins_a of the pairs that one of the two won
+  std::int64_t only_a = 0;  // of wins_a: b did not reach the goal
+  std::int64_t only_b = 0;
+  Estimate win_share_a;             // wins_a of the pairs that one of the two won
+  double success_p_holm = kAbsent;  // only_a against only_b, see ranks.h
+  double path_p_holm = kAbsent;     // shorter_a() against shorter_b()
+
+  // Both reached the goal.
+  std::int64_t shorter_a() const { return wins_a - only_a; }
+  std::int64_t shorter_b() const { return wins_b - only_b; }
 };
 
 struct SummaryConfig {

@@ -63,6 +63,7 @@ json planner_to_json(const PlannerSummary& s) {
   json out = group_fields(s.group);
   out["planner"] = s.planner;
   out["n"] = s.n;
+  out["rank"] = s.rank;
   for (const OutcomeEntry& entry : kOutcomes)
     out["outcomes"][std::string(entry.name)] = s.outcomes[static_cast<std::size_t>(entry.outcome)];
   for (const Statistic& one : statistics())
@@ -79,6 +80,10 @@ json pairing_to_json(const PlannerPairing& p) {
   out["ties"] = p.ties;
   out["wins_b"] = p.wins_b;
   out["win_share_a"] = rate_json(p.win_share_a);
+  out["only_a"] = p.only_a;
+  out["only_b"] = p.only_b;
+  out["success_p_holm"] = number(p.success_p_holm);
+  out["path_p_holm"] = number(p.path_p_holm);
   return out;
 }
 
@@ -124,11 +129,17 @@ json outcome_to_json(const OutcomeChange& c) {
 }  // namespace
 
 std::string comparison_json(const RunComparison& comparison) {
-  json out{{"title", comparison.title},         {"commit", comparison.commit},
-           {"tolerance", comparison.tolerance}, {"worse", comparison.worse()},
-           {"pairs", comparison.pairs},         {"changed", comparison.changed},
-           {"only_here", comparison.only_here}, {"only_there", comparison.only_there},
-           {"changes", json::array()},          {"outcomes", json::array()}};
+  json out{{"title", comparison.title},
+           {"commit", comparison.commit},
+           {"tolerance", comparison.tolerance},
+           {"worse", comparison.worse()},
+           {"pairs", comparison.pairs},
+           {"changed", comparison.changed},
+           {"only_here", comparison.only_here},
+           {"only_there", comparison.only_there},
+           {"changes", json::array()},
+           {"outcomes", json::array()},
+           {"ended_differently", comparison.ended_differently}};
   for (const PlannerChange& c : comparison.changes) {
     out["changes"].push_back(changes_to_json(c, comparison));
   }

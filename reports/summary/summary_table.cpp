@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 #include <utility>
 
 #include "voronaut/reports/summary/natural_order.h"
+#include "voronaut/reports/summary/ranks.h"
 
 namespace voronaut {
 
@@ -54,7 +56,11 @@ void SummaryTable::add(const RunRecord& record) {
 PlannerSummary SummaryTable::summary_of(const SummaryGroup& group, const std::string& planner,
                                         const PlannerTrials& trials,
                                         const BootstrapConfig& bootstrap) {
-  PlannerSummary summary{group, planner, trials.n, trials.outcomes, {}};
+  PlannerSummary summary;
+  summary.group = group;
+  summary.planner = planner;
+  summary.n = trials.n;
+  summary.outcomes = trials.outcomes;
   const auto all = statistics();
   for (std::size_t i = 0; i < all.size(); ++i)
     summary.estimates.push_back(
@@ -82,7 +88,10 @@ PlannerPairing SummaryTable::pairing_of(const SummaryGroup& group, const std::st
   std::vector<Scene> others(b.scenes.begin(), b.scenes.end());
   const auto before = [](const Scene& one, const Scene& other) { return one.before(other); };
   std::stable_sort(others.begin(), others.end(), before);
-  PlannerPairing pairing{group, planner_a, planner_b, 0, 0, 0, 0, {}};
+  PlannerPairing pairing;
+  pairing.group = group;
+  pairing.planner_a = planner_a;
+  pairing.planner_b = planner_b;
   for (const Scene& scene : a.scenes) {
     const auto other = std::lower_bound(others.begin(), others.end(), scene, before);
     if (other == others.end() || scene.before(*other)) continue;
@@ -90,6 +99,8 @@ PlannerPairing SummaryTable::pairing_of(const SummaryGroup& group, const std::st
     pairing.wins_a += verdict > 0;
     pairing.ties += verdict == 0;
     pairing.wins_b += verdict < 0;
+    pairing.only_a += scene.reached && !other->reached;
+    pairing.only_b += !scene.reached && other->reached;
     ++pairing.n;
   }
   pairing.win_share_a = wilson_rate(pairing.wins_a, pairing.wins_a + pairing.wins_b);
@@ -100,12 +111,16 @@ void SummaryTable::summarise_group(const SummaryGroup& group, const Planners& pl
                                    const SummaryConfig& config,
                                    std::vector<PlannerSummary>& summaries,
                                    std::vector<PlannerPairing>& pairings) {
+  const std::size_t first_summary = summaries.size();
+  const std::size_t first_pairing = pairings.size();
   for (auto a = planners.begin(); a != planners.end(); ++a) {
     summaries.push_back(summary_of(group, a->first, a->second, config.bootstrap));
     for (auto b = std::next(a); b != planners.end(); ++b)
       pairings.push_back(
           pairing_of(group, a->first, a->second, b->first, b->second, config.tie_tolerance));
   }
+  rank_planners(std::span(summaries).subspan(first_summary),
+                std::span(pairings).subspan(first_pairing));
 }
 
 Summary SummaryTable::summarise(const SummaryConfig& config) const {

@@ -51,7 +51,7 @@ std::string trials_of(const std::vector<const Statistic*>& shown) {
 }
 
 TextTable statistics_table(const std::vector<const Statistic*>& shown) {
-  TextTable table{{{"planner", Align::left}, {"n"}}, {}};
+  TextTable table{{{"planner", Align::left}, {"n"}, {"rank"}}, {}};
   for (const Statistic* one : shown) table.columns.push_back({heading(*one)});
   table.columns.push_back({"ended otherwise", Align::left});
   return table;
@@ -59,7 +59,7 @@ TextTable statistics_table(const std::vector<const Statistic*>& shown) {
 
 std::vector<std::string> statistics_row(const PlannerSummary& s,
                                         const std::vector<const Statistic*>& shown) {
-  std::vector<std::string> row{printable(s.planner), std::to_string(s.n)};
+  std::vector<std::string> row{printable(s.planner), std::to_string(s.n), std::to_string(s.rank)};
   for (const Statistic* one : shown) row.push_back(brief_text(*one, s.of(one->name), s.outcomes));
   row.push_back(other_outcomes(s.outcomes, kText));
   return row;
@@ -138,7 +138,9 @@ std::string summary_text(const Summary& summary) {
     out += (out.empty() ? "" : "\n") + heading + "\n" + table.aligned();
   });
   if (!out.empty()) {
-    out += "\nOver " + trials_of(shown_of(summary)) + ". Brackets are 95 % intervals.\n";
+    out += "\nOver " + trials_of(shown_of(summary)) +
+           ". Brackets are 95 % intervals. Rank: 1 + planners that "
+           "are better, p < 0.05 after Holm (docs/results.md).\n";
   }
   return out;
 }
@@ -146,7 +148,7 @@ std::string summary_text(const Summary& summary) {
 std::string summary_csv(const Summary& summary, const std::vector<AxisColumn>& axes) {
   std::string csv = "scenario_group,vehicle,regulator,planner";
   for (const AxisColumn& axis : axes) csv += "," + csv_field(axis.path);
-  csv += ",n";
+  csv += ",n,rank";
   for (const Statistic& one : statistics())
     for (const char* part : {"", "_low", "_high", "_n"})
       csv.append(",").append(one.name).append(part);
@@ -155,7 +157,7 @@ std::string summary_csv(const Summary& summary, const std::vector<AxisColumn>& a
            csv_field(s.group.regulator) + "," + csv_field(s.planner);
     for (const AxisColumn& axis : axes)
       csv += "," + csv_field(axis.value_of(s.group.scenario_group, s.group.vehicle, s.planner));
-    csv += "," + std::to_string(s.n);
+    csv += "," + std::to_string(s.n) + "," + std::to_string(s.rank);
     for (const Estimate& e : s.estimates)
       csv += "," + cell_text(e.value) + "," + cell_text(e.interval.low) + "," +
              cell_text(e.interval.high) + "," + std::to_string(e.n);

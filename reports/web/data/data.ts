@@ -48,6 +48,7 @@ export interface GroupKey {
 export interface PlannerSummary extends GroupKey {
   planner: string;
   n: number;
+  rank: number;  // 1 + planners of the group that are significantly better
   outcomes: Record<string, number>;
   statistics: Record<string, Estimate>;  // by name; a rate is a Rate
 }
@@ -98,8 +99,9 @@ export interface Comparison {
   commit: string;
   only_here: number;   // trials without a partner
   only_there: number;
+  ended_differently: number;  // pairs
   changes: PlannerChange[];
-  outcomes: OutcomeChange[];
+  outcomes: OutcomeChange[];  // of very many those of the lowest repetitions
 }
 
 export interface World {
@@ -132,6 +134,8 @@ export interface Trial {
   path_ratio: number;
   spl: number;
   clearance_smallest_m: number;
+  free_share: number;
+  narrowest_passage_m: number;
   speed_mean_m_s: number;
   end_x_m: number;
   end_y_m: number;

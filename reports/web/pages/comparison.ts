@@ -78,5 +78,8 @@ export function comparisonSection(report: Report, palette: Palette, filter: Filt
     changeTable(other.changes.filter((r) => keep(r) && (!filter.group || r.scenario_group === filter.group))
       .sort((a, b) => byName(groupName(a), groupName(b)) || byName(a.planner, b.planner)),
       report.summary.statistics, palette),
+    other.ended_differently > other.outcomes.length && el("p", { class: "note" },
+      `${other.ended_differently} trials end differently; the table is of ${other.outcomes.length} of them, those of ` +
+      "the lowest repetitions."),
     outcomeTable(report, other.outcomes.filter(keep), palette));
 }

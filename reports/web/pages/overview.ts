@@ -56,6 +56,9 @@ function detailTable(
     { heading: "planner", text: true, cell: (r) => plannerCell(r.planner, palette),
       order: (r) => r.planner },
     { heading: "n", cell: (r) => String(r.n), order: (r) => r.n, title: "trials, failures included" },
+    { heading: "rank", cell: (r) => String(r.rank), order: (r) => r.rank,
+      title: "1 + planners of the group that are significantly better on the same worlds: they reach the goal more " +
+        "often or, where that is undecided, by the shorter path more often; equal as a rule where the data cannot tell" },
     ...shown.filter((s) => s.rate).map(column),
     { heading: "ended otherwise", text: true, cell: (r) => otherOutcomes(r, shown) },
     ...shown.filter((s) => !s.rate).map(column),

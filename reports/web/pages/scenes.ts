@@ -52,14 +52,19 @@ export class View {
   }
 }
 
-function drawWorld(root: SVGElement, world: World, view: View): void {
+// Solids that overlap or touch as one: what fills them covers the halves of their outlines that lie in others.
+function drawSolids(root: SVGElement, world: World, view: View, kind: "outline" | "obstacle"): void {
   for (const [x, y, r] of world.circles) {
-    root.append(svg("circle", { class: "obstacle", cx: view.x(x).toFixed(2),
+    root.append(svg("circle", { class: kind, cx: view.x(x).toFixed(2),
       cy: view.y(y).toFixed(2), r: (r * view.scale).toFixed(2) }));
   }
-  for (const polygon of world.polygons) {
-    root.append(svg("path", { class: "obstacle", d: view.path(polygon, true) }));
-  }
+  const rings = world.polygons.map((polygon) => view.path(polygon, true)).join("");
+  if (rings) root.append(svg("path", { class: kind, d: rings }));
+}
+
+function drawWorld(root: SVGElement, world: World, view: View): void {
+  drawSolids(root, world, view, "outline");
+  drawSolids(root, world, view, "obstacle");
   for (const segment of world.segments) {
     root.append(svg("path", { class: "wall", d: view.path(segment, false) }));
   }
@@ -139,6 +144,13 @@ function resultText(trial: Trial): string {
     : `ratio ${fixed(trial.path_ratio, 3)}, ${fixed(trial.duration_s, 1)} s`;
 }
 
+// Of the world, where the run says so.
+function difficultyText(trial: Trial): string {
+  const free = trial.free_share >= 0 ? `; ${fixed(100 * trial.free_share, 0)} % free` : "";
+  return trial.narrowest_passage_m >= 0
+    ? `${free}, narrowest passage ${fixed(trial.narrowest_passage_m, 2)} m` : free;
+}
+
 function trialLine(trial: Trial, palette: Palette): HTMLElement {
   return el("li", { class: palette.className(trial.planner), title: trial.reason },
     palette.swatch(trial.planner), nameOf(trial.planner),
@@ -155,7 +167,7 @@ function sceneCard(report: Report, scene: Scene, shown: Set<string>, mapOf: stri
       el("a", { href: replayLink(trials.slice(0, 4).map((t) => t.trial_id)) }, "replay"),
       ...waysButtons(report, trials, "scene", scene.scenario, () => card.querySelector<SVGElement>("svg.world"))),
     place,
-    el("p", { class: "note" }, `${scene.vehicle}, repetition ${trials[0].repetition}`),
+    el("p", { class: "note" }, `${scene.vehicle}, repetition ${trials[0].repetition}${difficultyText(trials[0])}`),
     el("ul", {}, ...trials.map((t) => trialLine(t, palette))));
   const draw = (): void => {
     void sceneDrawing(report, scene, trials, mapOf, palette)

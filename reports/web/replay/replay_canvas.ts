@@ -90,22 +90,34 @@ export class Painter {
     this.context.arc(x, y, r, 0, 2 * Math.PI);
   }
 
-  private paintTruth(ink: Ink): void {
+  // Solids that overlap or touch as one: all run counter-clockwise, so that one path of them covers their
+  // union, and the halves of their outlines that lie in it.
+  private paintSolids(ink: Ink): void {
     const { context, world } = this;
-    context.globalAlpha = 0.55;
-    context.fillStyle = ink.obstacle;
-    context.strokeStyle = ink.edge;
-    context.lineWidth = this.px(1);
+    context.beginPath();
     for (const [x, y, r] of world.circles) {
-      this.disc(x, y, r);
-      context.fill();
-      context.stroke();
+      context.moveTo(x + r, y);
+      context.arc(x, y, r, 0, 2 * Math.PI);
     }
     for (const polygon of world.polygons) {
-      this.polyline(this.flat(polygon), true);
-      context.fill();
-      context.stroke();
+      this.flat(polygon).forEach(([x, y], i) => (i > 0 ? context.lineTo(x, y) : context.moveTo(x, y)));
+      context.closePath();
     }
+    context.globalAlpha = 0.55;
+    context.lineWidth = this.px(2);
+    context.stroke();
+    context.globalAlpha = 1;
+    context.fillStyle = ink.bg;
+    context.fill();
+    context.globalAlpha = 0.55;
+    context.fillStyle = ink.obstacle;
+    context.fill();
+  }
+
+  private paintTruth(ink: Ink): void {
+    const { context, world } = this;
+    context.strokeStyle = ink.edge;
+    this.paintSolids(ink);
     context.lineWidth = this.px(2.5);
     for (const segment of world.segments) {
       this.polyline(this.flat(segment), false);

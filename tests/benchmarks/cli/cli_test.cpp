@@ -293,6 +293,22 @@ TEST_F(CommandLine, ComparesRunsAndPlannersAndRefusesUnlikeSuites) {
        {"compare a", "compare a b --planners RRTConnect PotentialField", "compare a nowhere",
         "compare a --planners RRTConnect RRT", "compare a b --statistics success"})
     EXPECT_EQ(voronaut(wrong).exit_code, 2) << wrong;
+  EXPECT_THAT(voronaut("compare a --planners RRTConnect RRT").err,
+              HasSubstr("--planners: no trial of 'RRT' (allowed: PotentialField, RRTConnect"));
+}
+
+TEST_F(CommandLine, ComparesNoTrialsOfTwoWorlds) {
+  write_open_suite();
+  ASSERT_EQ(voronaut("run open.yaml --out a").exit_code, 0);
+  std::string moved = text_of(path("open.yaml"));
+  moved.replace(moved.find("[[2, 3, 0.5]]"), 13, "[[2, 3, 0.4]]");
+  write("open.yaml", moved);
+  ASSERT_EQ(voronaut("run open.yaml --out b").exit_code, 0);
+  const Answer other = voronaut("compare a b --across scenarios");
+  EXPECT_EQ(other.exit_code, 2);
+  EXPECT_EQ(other.err,
+            "voronaut: b: not to be compared with a: scenario 'open', repetition 0, has another "
+            "world\n");
 }
 
 TEST_F(CommandLine, KeepsResultsOfAnotherVersionOfTheSuiteApart) {

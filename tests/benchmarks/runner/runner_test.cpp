@@ -130,6 +130,12 @@ TEST(Runner, GivesTheSameDigestForAnyNumberOfJobs) {
   auto changed = one;
   changed[4].duration_s += 1e-12;
   EXPECT_NE(digest(one), digest(changed));
+  auto rated = one;
+  rated.front().free_share = 0.123;
+  rated.front().narrowest_passage_m = 4.56;
+  rated.front().cpu_time_s = 7.89;
+  EXPECT_EQ(digest(one), digest(rated))
+      << "what is measured and how hard the world is is no result";
 }
 
 TEST(Runner, RunsNothingTwice) {
@@ -301,6 +307,26 @@ TEST(Runner, ComputesEachReferenceOnce) {
   for (const RunRecord& record : store.records()) {
     EXPECT_EQ(record.shortest_length_m, 0.25);
     EXPECT_EQ(record.shortest_at_clearance_m, 0.4);
+  }
+}
+
+TEST(Runner, RatesEachWorldOnceAndWritesItToAllOfItsTrials) {
+  const TemporaryFolder folder;
+  int calls = 0;
+  ShortestReferences references([](const Scenario&, double radius_m) { return radius_m; },
+                                [&](const Scenario& scenario) -> WorldDifficulty {
+                                  ++calls;
+                                  return {0.5, scenario.goal_world.x()};
+                                });
+  std::ostringstream out;
+  const SuiteConfig suite = small_suite("rated", kCalm, 4);
+  Progress progress(out, false, 24, std::chrono::steady_clock::now());
+  ResultStore store = ResultStore::create(folder.path() / "results.db");
+  run_suite(suite, calm(), 1, references, store, progress);
+  EXPECT_EQ(calls, 1 + 4) << "one fixed world, four random ones";
+  for (const RunRecord& record : store.records()) {
+    EXPECT_EQ(record.free_share, 0.5);
+    EXPECT_GT(record.narrowest_passage_m, 0);
   }
 }
 

@@ -140,6 +140,7 @@ TEST_F(ShardedRunByCommands, WritesWhatItWouldSubmitAndCancelsOnlyThat) {
     EXPECT_EQ(
         voronaut(std::string("submit s.yaml --out r --shards 3 --dry-run --engine ") + engine), 0)
         << said();
+  EXPECT_THAT(said(), ::testing::Not(HasSubstr("wall clock")));
   EXPECT_TRUE(fs::exists(path("r/engines/slurm/shards.sbatch")));
   EXPECT_FALSE(fs::exists(path("r/shards"))) << "nothing was started";
   EXPECT_EQ(voronaut("cancel r"), 0) << said();
@@ -153,6 +154,12 @@ TEST_F(ShardedRunByCommands, WritesWhatItWouldSubmitAndCancelsOnlyThat) {
                             .c_str()),
             0);
   EXPECT_EQ(voronaut("status r"), 0) << said();
+}
+
+TEST_F(ShardedRunByCommands, WarnsOfSuitesThatNoDigestCanRepeat) {
+  std::ofstream(path("s.yaml"), std::ios::app) << "budget: {wall_clock_s: 0.2}\n";
+  EXPECT_EQ(voronaut("submit s.yaml --out r --shards 3 --dry-run --engine script"), 0);
+  EXPECT_THAT(said(), HasSubstr(": its budget is wall clock (budget.wall_clock_s)"));
 }
 
 }  // namespace

@@ -56,6 +56,25 @@ TEST_F(Shards, ComputeWhatNoOtherHasComputedWhileTheyFly) {
   EXPECT_EQ(computed_, 6) << "another build";
 }
 
+TEST_F(Shards, ShareHowHardAWorldIs) {
+  SharedReferences own(own_, "r.txt");
+  SharedReferences other(other_, "r.txt");
+  const ShortestReferences::Difficulty counted = [this](const Scenario& scenario) {
+    ++computed_;
+    return WorldDifficulty{0.25, scenario.name == "open" ? kAbsent : 1.5};
+  };
+  const auto of_own = own.sharing(counted);
+  const auto of_other = other.sharing(counted);
+  for (const Scenario& world : worlds_) {
+    of_own(world);
+    const WorldDifficulty again = of_other(world);
+    EXPECT_EQ(again.free_share, 0.25);
+    EXPECT_EQ(std::isnan(again.narrowest_passage_m), world.name == "open");
+    EXPECT_TRUE(world.name == "open" || again.narrowest_passage_m == 1.5);
+  }
+  EXPECT_EQ(computed_, 4) << "one open world, three forests";
+}
+
 TEST_F(Shards, PassOverLinesThatWereCutOffAnywhere) {
   double want_m = 0;
   {

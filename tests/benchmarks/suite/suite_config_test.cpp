@@ -10,6 +10,7 @@
 #include "voronaut/environments/config/config_reader.h"
 #include "voronaut/environments/config/nearest_name.h"
 #include "voronaut/tests/benchmarks/small_suite.h"
+#include "voronaut/tests/support/error_of.h"
 
 namespace voronaut {
 namespace {
@@ -18,13 +19,8 @@ SuiteConfig read(const std::string& text) {
   return read_suite(ConfigNode::parse(text, "s.yaml"), "", PlannerCatalog::built_in());
 }
 
-std::string error_of(const std::string& text) {
-  try {
-    read(text);
-  } catch (const ConfigError& error) {
-    return error.what();
-  }
-  return "no error";
+std::string error_in(const std::string& text) {
+  return error_of<ConfigError>([&] { read(text); });
 }
 
 std::vector<std::string> planner_names() {
@@ -130,10 +126,10 @@ TEST(SuiteConfig, ReadsEachWayToCountABudget) {
   EXPECT_EQ(budget("{iterations: 12}").stop, PlanningBudget::Stop::budget);
   EXPECT_EQ(budget("{wall_clock_s: 0.5}").counts, Counts::wall_clock);
   EXPECT_EQ(budget("{wall_clock_s: 0.5}").wall_clock_s, 0.5);
-  EXPECT_EQ(error_of(suite_with("budget", "{state_checks: 5, wall_clock_s: 1}")),
+  EXPECT_EQ(error_in(suite_with("budget", "{state_checks: 5, wall_clock_s: 1}")),
             "s.yaml:5: key 'budget.wall_clock_s': cannot stand beside state_checks (allowed: "
             "state_checks with ptc_evaluations, or iterations, or wall_clock_s)");
-  EXPECT_EQ(error_of(suite_with("budget", "{stop: last}")),
+  EXPECT_EQ(error_in(suite_with("budget", "{stop: last}")),
             "s.yaml:5: key 'budget.stop': expected one of first, budget, got 'last'");
 }
 
@@ -270,7 +266,7 @@ TEST(SuiteConfig, SaysInOneLineWhatIsWrong) {
        "'100'"},
   };
   for (const auto& [text, message] : cases) {
-    const std::string error = error_of(text);
+    const std::string error = error_in(text);
     EXPECT_EQ(error, message) << text;
     EXPECT_EQ(error.find('\n'), std::string::npos);
   }
@@ -290,21 +286,21 @@ TEST(SuiteConfig, AsksACartOnlyForWhatItCanDo) {
       "no governor for vehicle 'trolley': regulator 'position_trajectory' promises no stop along a "
       "course in any direction: what it drives cannot move sideways (allowed: false)";
   const std::string own = "[RRTConnect, {name: RRTConnect, label: b, navigation: {";
-  EXPECT_EQ(error_of(with_cart("[RRTConnect]", "navigation: {yaw_policy: path}")), "no error");
-  EXPECT_EQ(error_of(with_cart("[RRTConnect]", "kind: static")), "no error") << "nobody moves";
-  EXPECT_EQ(error_of(with_cart("[RRTConnect]", "")), "s.yaml:4: key 'planners[0]': " + yaw_policy);
-  EXPECT_EQ(error_of(with_cart("[RRTConnect]", "navigation: {yaw_policy: fixed}")),
+  EXPECT_EQ(error_in(with_cart("[RRTConnect]", "navigation: {yaw_policy: path}")), "no error");
+  EXPECT_EQ(error_in(with_cart("[RRTConnect]", "kind: static")), "no error") << "nobody moves";
+  EXPECT_EQ(error_in(with_cart("[RRTConnect]", "")), "s.yaml:4: key 'planners[0]': " + yaw_policy);
+  EXPECT_EQ(error_in(with_cart("[RRTConnect]", "navigation: {yaw_policy: fixed}")),
             "s.yaml:5: key 'navigation.yaw_policy': " + yaw_policy);
-  EXPECT_EQ(error_of(with_cart("[RRTConnect]", "navigation: {yaw_policy: path, governor: true}")),
+  EXPECT_EQ(error_in(with_cart("[RRTConnect]", "navigation: {yaw_policy: path, governor: true}")),
             "s.yaml:5: key 'navigation.governor': " + governor);
-  EXPECT_EQ(error_of(with_cart(own + "governor: true}}]", "navigation: {yaw_policy: path}")),
+  EXPECT_EQ(error_in(with_cart(own + "governor: true}}]", "navigation: {yaw_policy: path}")),
             "s.yaml:4: key 'planners[1].navigation.governor': " + governor);
-  EXPECT_EQ(error_of(with_cart(own + "yaw_policy: fixed}}]", "navigation: {yaw_policy: path}")),
+  EXPECT_EQ(error_in(with_cart(own + "yaw_policy: fixed}}]", "navigation: {yaw_policy: path}")),
             "s.yaml:4: key 'planners[1].navigation.yaw_policy': " + yaw_policy);
 }
 
 TEST(SuiteConfig, AsksNoGovernorToTrustALawThatDoesNotStop) {
-  EXPECT_EQ(error_of("suite: s\nscenarios: [{name: a, generator: {name: forest}}]\n"
+  EXPECT_EQ(error_in("suite: s\nscenarios: [{name: a, generator: {name: forest}}]\n"
                      "vehicles: [{name: quadrotor, regulator: paper_literal}]\n"
                      "planners: [RRTConnect]\nnavigation: {governor: true}\n"),
             "s.yaml:5: key 'navigation.governor': no governor for vehicle 'quadrotor': regulator "

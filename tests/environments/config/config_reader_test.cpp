@@ -5,6 +5,8 @@
 
 #include <gtest/gtest.h>
 
+#include "voronaut/tests/support/error_of.h"
+
 namespace voronaut {
 namespace {
 
@@ -28,14 +30,11 @@ struct SampleConfig {
   }
 };
 
-std::string error_of(const std::string& yaml) {
-  try {
+std::string error_in(const std::string& yaml) {
+  return error_of<ConfigError>([&] {
     SampleConfig config;
     read_into(ConfigNode::parse(yaml, "sample.yaml"), config);
-  } catch (const ConfigError& error) {
-    return error.what();
-  }
-  return "no error";
+  });
 }
 
 TEST(ConfigReader, ReadsEveryKindOfMember) {
@@ -107,14 +106,14 @@ TEST(ConfigReader, SaysInOneLineWhatIsWrong) {
       {"label: *nowhere", "sample.yaml:1: not valid YAML: the referenced anchor is not defined"},
   };
   for (const auto& [yaml, message] : cases) {
-    const std::string error = error_of(yaml);
+    const std::string error = error_in(yaml);
     EXPECT_EQ(error, message) << yaml;
     EXPECT_EQ(error.find('\n'), std::string::npos);
   }
 }
 
 TEST(ConfigReader, CutsALongValueInTheMessage) {
-  EXPECT_EQ(error_of("rays: " + std::string(1000, 'x')),
+  EXPECT_EQ(error_in("rays: " + std::string(1000, 'x')),
             "sample.yaml:1: key 'rays': expected a whole number from 1 to 100000, got '" +
                 std::string(60, 'x') + "...'");
 }
@@ -141,7 +140,7 @@ TEST(ConfigReader, ResolvesAliases) {
 }
 
 TEST(ConfigReader, SurvivesDeepNesting) {
-  EXPECT_NE(error_of("label: " + std::string(100'000, '[')), "no error");
+  EXPECT_NE(error_in("label: " + std::string(100'000, '[')), "no error");
 }
 
 TEST(ConfigReader, SaysWhyAFileCannotBeRead) {

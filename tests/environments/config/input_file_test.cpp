@@ -8,17 +8,13 @@
 
 #include "voronaut/environments/config/config_node.h"
 #include "voronaut/environments/scenario_files/scenario_reader.h"
+#include "voronaut/tests/support/error_of.h"
 
 namespace voronaut {
 namespace {
 
 std::string read_error(const std::string& path) {
-  try {
-    read_bytes(path);
-  } catch (const ConfigError& error) {
-    return error.what();
-  }
-  return "no error";
+  return error_of<ConfigError>([&] { read_bytes(path); });
 }
 
 class InputFile : public testing::Test {

@@ -6,6 +6,7 @@
 
 #include "voronaut/environments/config/config_reader.h"
 #include "voronaut/environments/config/renamed_keys.h"
+#include "voronaut/tests/support/error_of.h"
 
 namespace voronaut {
 namespace {
@@ -50,13 +51,8 @@ OuterConfig read(const std::string& yaml) {
   return config;
 }
 
-std::string error_of(const std::string& yaml) {
-  try {
-    read(yaml);
-  } catch (const ConfigError& error) {
-    return error.what();
-  }
-  return "no error";
+std::string error_in(const std::string& yaml) {
+  return error_of<ConfigError>([&] { read(yaml); });
 }
 
 TEST(KeyFacts, SayWhatEachKeyMayBe) {
@@ -93,7 +89,7 @@ TEST(KeyFacts, ReadTheUnitFromTheName) {
 
 TEST(ConfigSections, AreReadAndWrittenUnderTheirKey) {
   EXPECT_EQ(read("inner: {rays: 7}").inner.rays, 7);
-  EXPECT_EQ(error_of("inner: {rais: 7}"),
+  EXPECT_EQ(error_in("inner: {rais: 7}"),
             "outer.yaml:1: key 'inner.rais': unknown key (allowed: rays; did you mean 'rays'?)");
   EXPECT_EQ(canonical_text(OuterConfig{.heading_rad = 1}),
             "heading_rad=1;clockwise=true;cut=columns;inner.rays=91;checks=5;");
@@ -104,7 +100,7 @@ TEST(ConfigAlternatives, AreChosenByTheKeyThatIsGiven) {
   const OuterConfig timed = read("wall_s: 2");
   EXPECT_EQ(timed.counts, Counts::seconds);
   EXPECT_EQ(timed.wall_s, 2);
-  EXPECT_EQ(error_of("checks: 2\nwall_s: 2"),
+  EXPECT_EQ(error_in("checks: 2\nwall_s: 2"),
             "outer.yaml:2: key 'wall_s': cannot stand beside checks (allowed: checks, or wall_s)");
 }
 

@@ -5,6 +5,8 @@
 
 #include <gtest/gtest.h>
 
+#include "voronaut/tests/support/error_of.h"
+
 namespace voronaut {
 namespace {
 
@@ -24,19 +26,16 @@ class ForeignFormats : public ::testing::Test {
   }
 
   // Without the folder.
-  std::string error_of(const std::string& name, const std::string& text) const {
+  std::string error_in(const std::string& name, const std::string& text) const {
     const std::string path = write(name, text);
-    try {
+    std::string line = error_of<ConfigError>([&] {
       const ForeignFormat& format = foreign_format("", path);
       format.read(path, format.defaults);
-    } catch (const ConfigError& error) {
-      std::string line = error.what();
-      const std::string folder = folder_.string() + "/";
-      for (auto at = line.find(folder); at != std::string::npos; at = line.find(folder))
-        line.erase(at, folder.size());
-      return line;
-    }
-    return "no error";
+    });
+    const std::string folder = folder_.string() + "/";
+    for (auto at = line.find(folder); at != std::string::npos; at = line.find(folder))
+      line.erase(at, folder.size());
+    return line;
   }
 
   std::filesystem::path folder_ = std::filesystem::path(::testing::TempDir()) /
@@ -56,27 +55,27 @@ TEST_F(ForeignFormats, AreRecognisedByTheKeysOfTheirYaml) {
 
 TEST_F(ForeignFormats, MayBeginWithAByteOrderMark) {
   EXPECT_EQ(format_of("e.txt", "\xef\xbb\xbfunits: meter\n"), "ompl_circles");
-  EXPECT_EQ(error_of("a.map", "\xef\xbb\xbftype octile\nheight 1\nwidth 1\nmap\n.\n"), "no error");
-  EXPECT_EQ(error_of("c.csv", "\xef\xbb\xbfx,y,r\n1,2,3\n"), "no error");
+  EXPECT_EQ(error_in("a.map", "\xef\xbb\xbftype octile\nheight 1\nwidth 1\nmap\n.\n"), "no error");
+  EXPECT_EQ(error_in("c.csv", "\xef\xbb\xbfx,y,r\n1,2,3\n"), "no error");
 }
 
 TEST_F(ForeignFormats, SayInWhichLineEvenAnEmptyFileIsWrong) {
-  EXPECT_EQ(error_of("a.map", ""), "a.map:1: the file ends before 'type'");
-  EXPECT_EQ(error_of("a.json", ""), "a.json:1: the file is empty");
-  EXPECT_EQ(error_of("a.world", ""), "a.world:1: no <world> in <sdf>");
-  EXPECT_EQ(error_of("a.csv", ""), "a.csv:1: the file is empty");
-  EXPECT_EQ(error_of("a.yaml", "world: [\n"),
+  EXPECT_EQ(error_in("a.map", ""), "a.map:1: the file ends before 'type'");
+  EXPECT_EQ(error_in("a.json", ""), "a.json:1: the file is empty");
+  EXPECT_EQ(error_in("a.world", ""), "a.world:1: no <world> in <sdf>");
+  EXPECT_EQ(error_in("a.csv", ""), "a.csv:1: the file is empty");
+  EXPECT_EQ(error_in("a.yaml", "world: [\n"),
             "a.yaml:1: not valid YAML: end of sequence flow not found");
-  EXPECT_EQ(error_of("a.txt", "hello\n").substr(0, 40), "a.txt:1: not recognised as one of the fo");
+  EXPECT_EQ(error_in("a.txt", "hello\n").substr(0, 40), "a.txt:1: not recognised as one of the fo");
 }
 
 TEST_F(ForeignFormats, SayWhereAMapNamesAnImageThatCannotBeRead) {
   const std::string map =
       "resolution: 1\nimage: m.pgm\norigin: [0, 0, 0]\noccupied_thresh: 0.6\nfree_thresh: 0.2\n";
-  EXPECT_EQ(error_of("m.yaml", map),
+  EXPECT_EQ(error_in("m.yaml", map),
             "m.yaml:2: key 'image': m.pgm: cannot be read (No such file or directory)");
   write("m.pgm", "P6\n");
-  EXPECT_EQ(error_of("m.yaml", map),
+  EXPECT_EQ(error_in("m.yaml", map),
             "m.yaml:2: key 'image': m.pgm:1: expected a PGM image (P2 or P5), got 'P6'");
 }
 

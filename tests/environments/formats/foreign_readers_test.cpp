@@ -1,23 +1,13 @@
-#include <functional>
-
 #include <gtest/gtest.h>
 
 #include "voronaut/environments/formats/dodgedrone.h"
 #include "voronaut/environments/formats/ompl_worlds.h"
 #include "voronaut/environments/formats/pathbench.h"
 #include "voronaut/environments/world.h"
+#include "voronaut/tests/support/error_of.h"
 
 namespace voronaut {
 namespace {
-
-std::string error_of(const std::function<void()>& read) {
-  try {
-    read();
-  } catch (const ConfigError& error) {
-    return error.what();
-  }
-  return "no error";
-}
 
 ForeignWorld pathbench(const std::string& text) {
   return read_pathbench(ConfigNode::parse(text, "p.json"), 1);
@@ -34,7 +24,9 @@ TEST(PathBench, HasItsFirstRowOnTop) {
 }
 
 TEST(PathBench, IsRefusedWithTheKeyAndTheReason) {
-  const auto refused = [](const std::string& text) { return error_of([&] { pathbench(text); }); };
+  const auto refused = [](const std::string& text) {
+    return error_of<ConfigError>([&] { pathbench(text); });
+  };
   EXPECT_EQ(refused("{\"type\": \"SparseMap\", \"grid\": []}"),
             "p.json:1: key 'type': expected one of DenseMap, got the text "
             "'SparseMap'");
@@ -66,15 +58,19 @@ TEST(DodgeDrone, CutsSpheresOrTakesThemForColumns) {
   const auto all = parse_dodgedrone(text, "d.csv", columns).shapes.circles;
   ASSERT_EQ(all.size(), 2U);
   EXPECT_EQ(all[1].radius_m, 0.5);
-  EXPECT_EQ(error_of([&] { parse_dodgedrone("a, 1, 2\n", "d.csv", {}); }),
+  EXPECT_EQ(error_of<ConfigError>([&] { parse_dodgedrone("a, 1, 2\n", "d.csv", {}); }),
             "d.csv:1: expected 11 fields (prefab, x, y, z, qw, qx, qy, qz, sx, sy, sz), got 3");
-  EXPECT_EQ(error_of([&] { parse_dodgedrone("a,1,2,z,1,0,0,0,1,1,1\n", "d.csv", {}); }),
-            "d.csv:1: z: expected a number from -100000 to 100000, got 'z'");
-  EXPECT_EQ(error_of([&] { parse_dodgedrone("", "d.csv", {}); }), "d.csv:1: the file is empty");
-  EXPECT_EQ(error_of([&] { parse_dodgedrone("a,1,2,3,1,0,0,0,2,1,2\n", "d.csv", {}); }),
-            "d.csv:1: sx, sy and sz differ: only spheres are read");
-  EXPECT_EQ(error_of([&] { parse_dodgedrone("a,1,2,3,1,0,0,0,2,2,1\n", "d.csv", {}); }),
-            "d.csv:1: sx, sy and sz differ: only spheres are read");
+  EXPECT_EQ(
+      error_of<ConfigError>([&] { parse_dodgedrone("a,1,2,z,1,0,0,0,1,1,1\n", "d.csv", {}); }),
+      "d.csv:1: z: expected a number from -100000 to 100000, got 'z'");
+  EXPECT_EQ(error_of<ConfigError>([&] { parse_dodgedrone("", "d.csv", {}); }),
+            "d.csv:1: the file is empty");
+  EXPECT_EQ(
+      error_of<ConfigError>([&] { parse_dodgedrone("a,1,2,3,1,0,0,0,2,1,2\n", "d.csv", {}); }),
+      "d.csv:1: sx, sy and sz differ: only spheres are read");
+  EXPECT_EQ(
+      error_of<ConfigError>([&] { parse_dodgedrone("a,1,2,3,1,0,0,0,2,2,1\n", "d.csv", {}); }),
+      "d.csv:1: sx, sy and sz differ: only spheres are read");
 }
 
 TEST(OmplCircles, AreReadWithTheirQueries) {
@@ -87,11 +83,13 @@ TEST(OmplCircles, AreReadWithTheirQueries) {
       "0\tstart:\t42.3\t51\n0\tgoal:\t59\t35\n1\tstart:\t7\t4\n1\tgoal:\t10\t14\n", "q.txt");
   ASSERT_EQ(queries.size(), 2U);
   EXPECT_EQ(queries[1].goal, Vec2(10, 14));
-  EXPECT_EQ(error_of([&] { parse_ompl_circles("units: feet\n", "c.txt"); }),
+  EXPECT_EQ(error_of<ConfigError>([&] { parse_ompl_circles("units: feet\n", "c.txt"); }),
             "c.txt:1: expected the units meter, got 'units: feet'");
-  EXPECT_EQ(error_of([&] { parse_ompl_circles("units: meter\n x y r\n1 2 3\n", "c.txt"); }),
-            "c.txt:3: expected a number, x, y and r, got '1 2 3'");
-  EXPECT_EQ(error_of([&] { parse_ompl_circle_queries("0 start: 1 2\n1 goal: 1 2\n", "q.txt"); }),
+  EXPECT_EQ(
+      error_of<ConfigError>([&] { parse_ompl_circles("units: meter\n x y r\n1 2 3\n", "c.txt"); }),
+      "c.txt:3: expected a number, x, y and r, got '1 2 3'");
+  EXPECT_EQ(error_of<ConfigError>(
+                [&] { parse_ompl_circle_queries("0 start: 1 2\n1 goal: 1 2\n", "q.txt"); }),
             "q.txt:2: expected '0 goal: x y', got '1 goal: 1 2'");
 }
 
@@ -100,7 +98,7 @@ const std::string kOmplHead =
     "discretization(cells): 3 5\nstart(cells): 0 1\nend(cells): 2 4\nenvironment:\n";
 
 std::string ompl_error(const std::string& text) {
-  return error_of([&] { parse_ompl_environment(text, "e.txt", 1); });
+  return error_of<ConfigError>([&] { parse_ompl_environment(text, "e.txt", 1); });
 }
 
 TEST(OmplEnvironment, IsReadAlongYFirstAsByOmpl) {

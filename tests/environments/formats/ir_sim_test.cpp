@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "voronaut/tests/support/error_of.h"
+
 namespace voronaut {
 namespace {
 
@@ -14,13 +16,8 @@ ForeignWorld ir_sim(const std::string& text) {
   return read("world: {height: 10, width: 20, offset: [1, 2]}\n" + text);
 }
 
-std::string error_of(const std::string& text) {
-  try {
-    ir_sim(text);
-  } catch (const ConfigError& error) {
-    return error.what();
-  }
-  return "no error";
+std::string error_in(const std::string& text) {
+  return error_of<ConfigError>([&] { ir_sim(text); });
 }
 
 TEST(IrSim, GivesTheShapesAtTheirStates) {
@@ -149,7 +146,7 @@ TEST(IrSim, LeavesOutWhatNothingCollidesWith) {
                           .shapes;
   ASSERT_EQ(some.circles.size(), 1U);
   EXPECT_EQ(some.circles[0].center, Vec2(1, 1));
-  EXPECT_EQ(error_of("obstacle: {" + circle + ", unobstructed: 2}\n"),
+  EXPECT_EQ(error_in("obstacle: {" + circle + ", unobstructed: 2}\n"),
             "w.yaml:2: key 'obstacle.unobstructed': expected true or false, got '2'");
 }
 
@@ -162,11 +159,11 @@ TEST(IrSim, TakesAPolygonThatRepeatsItsFirstVertexForClosed) {
 }
 
 TEST(IrSim, IsRefusedWhereItWouldPlaceOrShapeByItself) {
-  EXPECT_EQ(error_of("obstacle:\n  - {number: 9, distribution: {name: random}, shape: {name: "
+  EXPECT_EQ(error_in("obstacle:\n  - {number: 9, distribution: {name: random}, shape: {name: "
                      "circle, radius: 1}}\n"),
             "w.yaml:3: key 'obstacle[0].distribution': obstacles that IR-SIM places itself, at "
             "random or in a circle, are not read: give manual and their states");
-  EXPECT_EQ(error_of("obstacle:\n  - {number: 9, shape: {name: polygon, random_shape: True, "
+  EXPECT_EQ(error_in("obstacle:\n  - {number: 9, shape: {name: polygon, random_shape: True, "
                      "vertices: [[0, 0], [1, 0], [0, 1]]}}\n"),
             "w.yaml:3: key 'obstacle[0].shape.random_shape': a shape drawn at random is not read");
 }
@@ -184,15 +181,15 @@ TEST(IrSim, IsRefusedWhereAnObstacleWouldBeLostOrMoved) {
             "w.yaml:2: key 'world.obstacle_map': an obstacle map is not read");
   EXPECT_EQ(refused("world: {ofset: [1, 1]}\n").substr(0, 46),
             "w.yaml:1: key 'world.ofset': unknown key (allo");
-  EXPECT_EQ(error_of("obstacles: []\n"),
+  EXPECT_EQ(error_in("obstacles: []\n"),
             "w.yaml:2: key 'obstacles': unknown key (allowed: world, robot, obstacle, gui, custom, "
             "irsim; did you mean 'obstacle'?)");
-  EXPECT_EQ(error_of("obstacle: {shape: {name: rectangle, length: 1, width: 1, wheelbase: 3}}\n"),
+  EXPECT_EQ(error_in("obstacle: {shape: {name: rectangle, length: 1, width: 1, wheelbase: 3}}\n"),
             "w.yaml:2: key 'obstacle.shape.wheelbase': unknown key (allowed: name, radius, center, "
             "length, width, vertices, parts, pose, random_shape, is_convex)");
-  EXPECT_EQ(error_of("obstacle: {shap: {name: circle, radius: 1}}\n").substr(0, 43),
+  EXPECT_EQ(error_in("obstacle: {shap: {name: circle, radius: 1}}\n").substr(0, 43),
             "w.yaml:2: key 'obstacle.shap': unknown key ");
-  EXPECT_EQ(error_of("obstacle:\n  - {shape: {name: sphere}}\n"),
+  EXPECT_EQ(error_in("obstacle:\n  - {shape: {name: sphere}}\n"),
             "w.yaml:3: key 'obstacle[0].shape.name': expected one of circle, rectangle, polygon, "
             "linestring, compound, got 'sphere'");
 }

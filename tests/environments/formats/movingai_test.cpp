@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "voronaut/environments/config/config_error.h"
+#include "voronaut/tests/support/error_of.h"
 
 namespace voronaut {
 namespace {
@@ -10,21 +11,11 @@ namespace {
 const std::string kMap = "type octile\nheight 3\nwidth 4\nmap\n.@..\nGOTW\nS...\n";
 
 std::string map_error(const std::string& text) {
-  try {
-    parse_movingai_map(text, "a.map");
-  } catch (const ConfigError& error) {
-    return error.what();
-  }
-  return "no error";
+  return error_of<ConfigError>([&] { parse_movingai_map(text, "a.map"); });
 }
 
 std::string scen_error(const std::string& text) {
-  try {
-    parse_movingai_scen(text, "a.scen", {4, 3, 0.25}, "a.map");
-  } catch (const ConfigError& error) {
-    return error.what();
-  }
-  return "no error";
+  return error_of<ConfigError>([&] { parse_movingai_scen(text, "a.scen", {4, 3, 0.25}, "a.map"); });
 }
 
 TEST(MovingAiMap, HasItsFirstRowOnTop) {

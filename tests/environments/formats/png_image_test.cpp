@@ -7,6 +7,7 @@
 #include <png.h>
 
 #include "voronaut/environments/formats/ros_map.h"
+#include "voronaut/tests/support/error_of.h"
 
 namespace voronaut {
 namespace {
@@ -42,12 +43,7 @@ std::vector<double> shades(const std::string& png, PngAlpha alpha = PngAlpha::ch
 }
 
 std::string png_error(const std::string& bytes) {
-  try {
-    parse_png(bytes, "m.png", PngAlpha::channel);
-  } catch (const ConfigError& error) {
-    return error.what();
-  }
-  return "no error";
+  return error_of<ConfigError>([&] { parse_png(bytes, "m.png", PngAlpha::channel); });
 }
 
 TEST(Png, HasItsRowsFromTheTop) {

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "voronaut/tests/support/error_of.h"
+
 namespace voronaut {
 namespace {
 
@@ -10,21 +12,12 @@ const std::string kYaml =
     "free_thresh: 0.196\n";
 
 std::string pgm_error(const std::string& bytes) {
-  try {
-    parse_pgm(bytes, "m.pgm");
-  } catch (const ConfigError& error) {
-    return error.what();
-  }
-  return "no error";
+  return error_of<ConfigError>([&] { parse_pgm(bytes, "m.pgm"); });
 }
 
 std::string yaml_error(const std::string& yaml) {
-  try {
-    read_ros_map_description(ConfigNode::parse(yaml, "m.yaml"));
-  } catch (const ConfigError& error) {
-    return error.what();
-  }
-  return "no error";
+  return error_of<ConfigError>(
+      [&] { read_ros_map_description(ConfigNode::parse(yaml, "m.yaml")); });
 }
 
 std::string seen(const BlockedCells& cells) {

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "voronaut/environments/config/config_error.h"
+#include "voronaut/tests/support/error_of.h"
 
 namespace voronaut {
 namespace {
@@ -19,12 +20,7 @@ ForeignWorld read(const std::string& text) {
 }
 
 std::string sdf_error(const std::string& text) {
-  try {
-    read(text);
-  } catch (const ConfigError& error) {
-    return error.what();
-  }
-  return "no error";
+  return error_of<ConfigError>([&] { read(text); });
 }
 
 // Its models begin in line 4.

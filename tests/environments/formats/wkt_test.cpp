@@ -5,17 +5,13 @@
 #include <gtest/gtest.h>
 
 #include "voronaut/environments/config/config_error.h"
+#include "voronaut/tests/support/error_of.h"
 
 namespace voronaut {
 namespace {
 
 std::string problem(const std::string& text) {
-  try {
-    parse_wkt_lines(text, "w.wkt");
-  } catch (const ConfigError& error) {
-    return error.what();
-  }
-  return "no error";
+  return error_of<ConfigError>([&] { parse_wkt_lines(text, "w.wkt"); });
 }
 
 TEST(Wkt, IsReadAsShapes) {

@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "voronaut/environments/world.h"
+#include "voronaut/tests/support/error_of.h"
 
 namespace voronaut {
 namespace {
@@ -20,13 +21,8 @@ std::vector<ScenarioSpec> read(const std::string& yaml, const DataLocation& data
   return read_scenarios(ConfigNode::parse(yaml, file), data);
 }
 
-std::string error_of(const std::string& yaml, const DataLocation& data) {
-  try {
-    read(yaml, data);
-  } catch (const ConfigError& error) {
-    return error.what();
-  }
-  return "no error";
+std::string error_in(const std::string& yaml, const DataLocation& data) {
+  return error_of<ConfigError>([&] { read(yaml, data); });
 }
 
 // A folder that goes away with the test.
@@ -159,12 +155,12 @@ TEST(DataSets, GiveOneScenarioForEachWorld) {
   EXPECT_EQ(picked[0].instantiate(0).goal_world, Vec2(18, 0));
 
   EXPECT_EQ(
-      error_of("dataset: barn\npick: [barn_02]", location),
+      error_in("dataset: barn\npick: [barn_02]", location),
       "pillar.yaml:1: key 'dataset': no world 'barn_02' among the 2 of this data set (did you mean "
       "'barn_020'?)");
-  EXPECT_EQ(error_of("dataset: barn\npick: [barn_001]\nlimit: 1", location),
+  EXPECT_EQ(error_in("dataset: barn\npick: [barn_001]\nlimit: 1", location),
             "pillar.yaml:3: key 'limit': cannot stand beside 'pick'");
-  EXPECT_EQ(error_of("name: x\ndataset: barn", location),
+  EXPECT_EQ(error_in("name: x\ndataset: barn", location),
             "pillar.yaml:1: key 'name': the worlds of a data set have names of their own; use "
             "group");
 }
@@ -265,10 +261,10 @@ TEST(WorldFiles, GiveTheHeadingOfTheirStart) {
 }
 
 TEST(DataSets, SayHowToNameTheFolderThatIsMissing) {
-  EXPECT_EQ(error_of("dataset: barn", {}),
+  EXPECT_EQ(error_in("dataset: barn", {}),
             "pillar.yaml:1: key 'dataset': 'barn' lies in the data folder, which is not known: "
             "give --data DIR or set VORONAUT_DATA");
-  EXPECT_EQ(error_of("dataset: barn", {"/nowhere", "VORONAUT_DATA"}),
+  EXPECT_EQ(error_in("dataset: barn", {"/nowhere", "VORONAUT_DATA"}),
             "pillar.yaml:1: key 'dataset': no folder '/nowhere/barn' (data folder from "
             "VORONAUT_DATA; give --data DIR or set VORONAUT_DATA)");
 }

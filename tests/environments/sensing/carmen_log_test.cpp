@@ -9,6 +9,8 @@
 #include <gmock/gmock.h>
 #include <zlib.h>
 
+#include "voronaut/tests/support/error_of.h"
+
 namespace voronaut {
 namespace {
 
@@ -49,13 +51,8 @@ std::string flaser(int beams) {
   return "FLASER " + ranges(beams) + " 1 2 0.5 0 0 0 1.5 host 1.5\n";
 }
 
-std::string error_of(const std::string& path) {
-  try {
-    read_carmen_log(path, 20);
-  } catch (const std::runtime_error& error) {
-    return error.what();
-  }
-  return "no error";
+std::string error_in(const std::string& path) {
+  return error_of<std::runtime_error>([&] { read_carmen_log(path, 20); });
 }
 
 TEST_F(CarmenLog, IsReadZippedAndPlain) {
@@ -94,7 +91,7 @@ TEST_F(CarmenLog, TakesTheFieldOfViewThatItsParametersTell) {
   EXPECT_NEAR(step_deg("laser_front_laser_fov 100", 181), 100.0 / 180, 1e-12);
   EXPECT_NEAR(step_deg("laser_front_laser_resolution 0.25", 541), 0.25, 1e-12);
   EXPECT_NEAR(step_deg("robot_width 0.5", 181), 1, 1e-12);
-  EXPECT_THAT(error_of(plain("PARAM laser_front_laser_fov wide\n" + flaser(181))),
+  EXPECT_THAT(error_in(plain("PARAM laser_front_laser_fov wide\n" + flaser(181))),
               HasSubstr("a.log:1: broken PARAM laser_front_laser_fov"));
 }
 
@@ -115,20 +112,20 @@ TEST_F(CarmenLog, ThatIsCutIsAnErrorAndNoShorterLog) {
   for (int i = 0; i < 200; ++i) text += "FLASER " + ranges(181, std::to_string(i)) + " 1 2 0 \n";
   const std::string path = zipped(text);
   fs::resize_file(path, fs::file_size(path) / 2);
-  EXPECT_THAT(error_of(path), HasSubstr("a.log.gz: the gzip file is cut or damaged"));
-  EXPECT_THAT(error_of(plain(flaser(181).substr(0, 200))),
+  EXPECT_THAT(error_in(path), HasSubstr("a.log.gz: the gzip file is cut or damaged"));
+  EXPECT_THAT(error_in(plain(flaser(181).substr(0, 200))),
               HasSubstr("a.log:1: broken FLASER (expected 181 ranges)"));
 }
 
 TEST_F(CarmenLog, NamesTheLineAndWhatIsExpectedThere) {
-  EXPECT_THAT(error_of(plain("\n" + flaser(77))),
+  EXPECT_THAT(error_in(plain("\n" + flaser(77))),
               HasSubstr("a.log:2: FLASER of 77 beams: nothing tells their field of view"));
-  EXPECT_THAT(error_of(plain("FLASER 0 1 2 0\n")), HasSubstr("number of beams from 2 to 100000"));
-  EXPECT_THAT(error_of(plain("FLASER " + ranges(181) + " 1 2\n")), HasSubstr("x, y and heading"));
-  EXPECT_THAT(error_of(plain("ODOM 0 0 0\n")), HasSubstr("a.log: no scan in it"));
-  EXPECT_THAT(error_of(plain("ROBOTLASER1 0 -1 2 0 8 0 0 " + ranges(5) + " 0 1 2 0\n")),
+  EXPECT_THAT(error_in(plain("FLASER 0 1 2 0\n")), HasSubstr("number of beams from 2 to 100000"));
+  EXPECT_THAT(error_in(plain("FLASER " + ranges(181) + " 1 2\n")), HasSubstr("x, y and heading"));
+  EXPECT_THAT(error_in(plain("ODOM 0 0 0\n")), HasSubstr("a.log: no scan in it"));
+  EXPECT_THAT(error_in(plain("ROBOTLASER1 0 -1 2 0 8 0 0 " + ranges(5) + " 0 1 2 0\n")),
               HasSubstr("a.log:1: broken ROBOTLASER1"));
-  EXPECT_THAT(error_of(file("none.log")), HasSubstr("none.log: is no file"));
+  EXPECT_THAT(error_in(file("none.log")), HasSubstr("none.log: is no file"));
 }
 
 }  // namespace

@@ -88,7 +88,7 @@ class WallBelow : public KnownGeometry {
  public:
   explicit WallBelow(double top_m) : top_m_(top_m) {}
   const ObstacleSnapshot& known_obstacles() const override { return kNothing; }
-  double clearance_min_m() const override { return 0; }
+  double planning_clearance_m() const override { return 0; }
   bool motion_is_clear(const Vec2& a, const Vec2& b) const override {
     if ((a.x() < 1) == (b.x() < 1)) return true;
     const double t = (1 - a.x()) / (b.x() - a.x());

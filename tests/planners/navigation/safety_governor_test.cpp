@@ -45,7 +45,7 @@ struct Dash {
   bool governed = true;
 
   // Smallest clearance of the centre to the true surface over the flight.
-  double clearance_min_m() const {
+  double clearance_smallest_m() const {
     VehicleSpec spec = find_vehicle(vehicle_name);
     const RegulatorConfig regulator_config = find_regulator(spec.regulator);
     SafetyGovernor governor(velocity_response(regulator_config, spec, kPeriod_s), kBodyRadius_m,
@@ -121,9 +121,9 @@ TEST(SafetyGovernor, StopsACarelessPilotBeforeTheWall) {
   for (const char* name : {"ideal", "quadrotor"}) {
     Dash dash;
     dash.vehicle_name = name;
-    EXPECT_GE(dash.clearance_min_m(), kBodyRadius_m) << name;
+    EXPECT_GE(dash.clearance_smallest_m(), kBodyRadius_m) << name;
     dash.governed = false;
-    EXPECT_LT(dash.clearance_min_m(), kBodyRadius_m) << name;
+    EXPECT_LT(dash.clearance_smallest_m(), kBodyRadius_m) << name;
   }
 }
 
@@ -349,32 +349,32 @@ TEST(SafetyGovernor, AWorldThatMovesIsNotItsWorld) {
   dash.shapes = {};
   dash.shapes_later = wall_at(2.6);
   dash.later_s = 1.0;
-  EXPECT_LT(dash.clearance_min_m(), kBodyRadius_m);
+  EXPECT_LT(dash.clearance_smallest_m(), kBodyRadius_m);
 }
 
 TEST(SafetyGovernor, RangesThatAreTooLongAreNotForgiven) {
   Dash dash;
   dash.range_bias_m = 0.5;
-  EXPECT_LT(dash.clearance_min_m(), kBodyRadius_m);
+  EXPECT_LT(dash.clearance_smallest_m(), kBodyRadius_m);
 }
 
 TEST(SafetyGovernor, AVehicleThatBrakesWorseThanPromisedTouches) {
   Dash dash;
   dash.braking = 0.4;
-  EXPECT_LT(dash.clearance_min_m(), kBodyRadius_m);
+  EXPECT_LT(dash.clearance_smallest_m(), kBodyRadius_m);
 }
 
 TEST(SafetyGovernor, ACourseThatActsTooLateIsNotTheCourseThatWasProved) {
   Dash dash;
   dash.dead_time_s = 0.6;
-  EXPECT_LT(dash.clearance_min_m(), kBodyRadius_m);
+  EXPECT_LT(dash.clearance_smallest_m(), kBodyRadius_m);
 }
 
 TEST(SafetyGovernor, AStartAtFullSpeedBeforeAWallCannotBeMended) {
   Dash dash;
   dash.shapes = dash.shapes_later = wall_at(0.9);
   dash.start_speed_m_s = 2.5;
-  EXPECT_LT(dash.clearance_min_m(), kBodyRadius_m);
+  EXPECT_LT(dash.clearance_smallest_m(), kBodyRadius_m);
 }
 
 TEST(SafetyGovernor, APostThinnerThanTheBeamsSpacingSlipsThrough) {
@@ -382,11 +382,11 @@ TEST(SafetyGovernor, APostThinnerThanTheBeamsSpacingSlipsThrough) {
   // Half way between two beams of one degree: at 2.5 m they are 4.4 cm apart.
   dash.shapes = post_at(Vec2(4, 0.035), 0.0005);
   dash.shapes_later = dash.shapes;
-  const double slips = dash.clearance_min_m();
+  const double slips = dash.clearance_smallest_m();
   dash.shapes = post_at(Vec2(4, 0), 0.03);
   dash.shapes_later = dash.shapes;
   EXPECT_LT(slips, kBodyRadius_m);
-  EXPECT_GE(dash.clearance_min_m(), kBodyRadius_m);
+  EXPECT_GE(dash.clearance_smallest_m(), kBodyRadius_m);
 }
 
 }  // namespace

@@ -31,7 +31,7 @@ struct Asked {
   explicit Asked(const std::string& name, const Vec2& goal = {9, 5})
       : problem({.bounds_world = {{0, 0}, {10, 10}},
                  .goal_world = goal,
-                 .clearance_min_m = kClearance_m}),
+                 .planning_clearance_m = kClearance_m}),
         entry(*catalog.find(name)),
         planner(entry.make(problem.space_information())) {}
 

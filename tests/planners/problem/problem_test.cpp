@@ -53,7 +53,7 @@ TEST(PlanningProblem, AgreesWithBruteForceOverThePoints) {
     for (int i = 0; i < 40; ++i) points.push_back(random.point(0, 10));
     const auto base = base_of(points);
     Vec2 start = random.point(0, 10);
-    while (clearance_of(points, {start, start}) < kConfig.clearance_min_m)
+    while (clearance_of(points, {start, start}) < kConfig.planning_clearance_m)
       start = random.point(0, 10);
     PlanningProblem problem(kConfig);
     problem.update(base->snapshot(), start);
@@ -77,9 +77,9 @@ TEST(PlanningProblem, AgreesWithBruteForceOverThePoints) {
   }
 }
 
-// The rule, point by point along the motion: within clearance_min_m of the start what the start has
-// is enough. A spacing of samples is 1.5 mm at most; `lenient` gives the edge of the disc and the
-// closest approach what sampling may miss, otherwise they are held against the motion.
+// The rule, point by point along the motion: within planning_clearance_m of the start what the
+// start has is enough. A spacing of samples is 1.5 mm at most; `lenient` gives the edge of the disc
+// and the closest approach what sampling may miss, otherwise they are held against the motion.
 bool is_allowed_by_sampling(const std::vector<Vec2>& points, const Vec2& start,
                             const Segment& motion, bool lenient) {
   constexpr double kAsked_m = 0.4;

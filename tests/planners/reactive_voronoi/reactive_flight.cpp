@@ -118,8 +118,9 @@ Flown fly(const FlightScene& scene, const ReactiveVoronoiConfig& planner,
       vehicle.move(decision.subgoal_world, decision.mode == ReactiveMode::none, config);
       flown.length_m += (vehicle.p - before).norm();
       flown.duration_s += kTick_s;
-      flown.clearance_min_m = std::min(flown.clearance_min_m, clearance_m(scene, vehicle.p));
-      if (flown.clearance_min_m < config.body_radius_m) {
+      flown.clearance_smallest_m =
+          std::min(flown.clearance_smallest_m, clearance_m(scene, vehicle.p));
+      if (flown.clearance_smallest_m < config.body_radius_m) {
         flown.end = FlightEnd::collision;
         return flown;
       }

@@ -43,7 +43,7 @@ struct Flown {
   FlightEnd end = FlightEnd::timeout;
   double duration_s = 0;
   double length_m = 0;
-  double clearance_min_m = 1e9;  // centre to surface
+  double clearance_smallest_m = 1e9;  // centre to surface
   std::vector<ReactiveDecision> decisions;
   std::vector<Vec2> positions;  // where each decision was made
 };

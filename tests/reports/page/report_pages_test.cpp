@@ -28,12 +28,12 @@ TEST_F(ReportPages, ShowsTheNumbersOfTheRecords) {
   const std::string shown = rows("overview");
   for (const PlannerSummary& s : input.summary.groups) {
     const Estimate& reached = s.of("goal_reached_share");
-    EXPECT_THAT(
-        shown,
-        HasSubstr(s.group.scenario_group + " | " + s.planner + " | " + std::to_string(s.n) + " | " +
-                  fixed(100 * reached.value, 1) + " % " + std::to_string(reached.successes) + "/" +
-                  std::to_string(s.n) + ", 95 % [" + fixed(100 * reached.interval.low, 1) + ", " +
-                  fixed(100 * reached.interval.high, 1) + "] | "));
+    EXPECT_THAT(shown,
+                HasSubstr(s.group.scenario_group + " | " + s.planner + " | " + std::to_string(s.n) +
+                          " | " + std::to_string(s.rank) + " | " + fixed(100 * reached.value, 1) +
+                          " % " + std::to_string(reached.successes) + "/" + std::to_string(s.n) +
+                          ", 95 % [" + fixed(100 * reached.interval.low, 1) + ", " +
+                          fixed(100 * reached.interval.high, 1) + "] | "));
     for (const Statistic* one : statistics_shown(kPage))
       if (one->estimator != Estimator::rate && s.of(one->name).n > 0) {
         EXPECT_THAT(shown, HasSubstr(" | " + fixed(s.of(one->name).value, one->digits)));
@@ -78,6 +78,28 @@ TEST_F(ReportPages, DrawsEveryTracedTrialAndEveryTracedFailureOnceMore) {
                                  std::to_string(failed_traces)));
 }
 
+TEST_F(ReportPages, ASceneDrawsSolidsAsOneAndSaysHowHardItsWorldIs) {
+  auto run = synthetic::make_run();
+  TraceWorld& world = run.worlds.front();
+  world.polygons = {{{0, 0}, {1, 0}, {1, 1}, {0, 1}}, {{1, 0}, {2, 0}, {2, 1}, {1, 1}}};
+  for (RunRecord& record : run.records) {
+    record.free_share = 0.824;
+    record.narrowest_passage_m = 0.615;
+  }
+  open(write_page("union.html", report_input_of(run, "Union")), "#scenes");
+  const std::string figure =
+      "document.querySelector('figure[data-scene=\"" + run.records.front().scenario + "\"]')";
+  ASSERT_TRUE(session_->wait_for("!!" + figure + ".querySelector('path.obstacle')"));
+  // Outlines below, and one path over them that covers those inside.
+  EXPECT_EQ(session_->evaluate("[...(" + figure +
+                               ").querySelectorAll('path.outline, path.obstacle')].map(p => "
+                               "p.getAttribute('class') + p.getAttribute('d').split('Z').length)"
+                               ".join(' ')"),
+            "outline3 obstacle3");
+  EXPECT_THAT(session_->evaluate("(" + figure + ").querySelector('.note').textContent"),
+              HasSubstr("82 % free, narrowest passage 0.6"));
+}
+
 TEST_F(ReportPages, AFilterKeepsItsGroupOnlyOnEveryPage) {
   const auto run = synthetic::make_run();
   open(write_page("filter.html", report_input_of(run, "Filter")), "#scenes");
@@ -110,10 +132,10 @@ TEST_F(ReportPages, AHeadingSortsItsColumn) {
   const std::string after =
       "document.querySelectorAll('#page-overview table')[1].querySelectorAll('tbody tr')";
   const std::string press =
-      "document.querySelectorAll('#page-overview table')[1].querySelectorAll('th')[6]."
+      "document.querySelectorAll('#page-overview table')[1].querySelectorAll('th')[7]."
       "querySelector('button').click()";
   const std::string values =
-      "[..." + after + "].map(r => parseFloat(r.cells[6].textContent)).join(',')";
+      "[..." + after + "].map(r => parseFloat(r.cells[7].textContent)).join(',')";
   session_->evaluate(press);
   const std::string sorted =
       session_->evaluate("(() => { const v = " + values +

@@ -12,6 +12,7 @@
 
 #include "voronaut/reports/figures/figure_panels.h"
 #include "voronaut/tests/reports/synthetic_run.h"
+#include "voronaut/tests/support/error_of.h"
 
 namespace voronaut {
 namespace {
@@ -28,16 +29,6 @@ class Store : public ::testing::Test {
   ~Store() override { std::filesystem::remove_all(folder_); }
 
   std::filesystem::path file() const { return folder_ / "results.db"; }
-
-  template <class Action>
-  static std::string error_of(Action&& action) {
-    try {
-      action();
-    } catch (const StoreError& error) {
-      return error.what();
-    }
-    return "no error";
-  }
 
   std::filesystem::path folder_;
 };
@@ -95,12 +86,13 @@ TEST_F(Store, NamesTheColumnInWhichASecondInsertDiffers) {
   RunRecord record = synthetic::make_record("t1");
   store.insert(record, std::nullopt);
   record.replans = 18;
-  const std::string error = error_of([&] { store.insert(record, std::nullopt); });
+  const std::string error = error_of<StoreError>([&] { store.insert(record, std::nullopt); });
   EXPECT_EQ(error,
             file().string() + ": trial t1 is stored with another value of replans: '17', now '18'");
   record.replans = 17;
   record.end_x_m = 1.0;
-  EXPECT_THAT(error_of([&] { store.insert(record, std::nullopt); }), HasSubstr("end_x_m: '', now"));
+  EXPECT_THAT(error_of<StoreError>([&] { store.insert(record, std::nullopt); }),
+              HasSubstr("end_x_m: '', now"));
 }
 
 TEST_F(Store, KeepsTracesAndWorlds) {
@@ -129,7 +121,7 @@ TEST_F(Store, GivesFigurePanelsPerWorld) {
     store.insert(*record, trace);
     ids.push_back(trace.trial_id);
   }
-  EXPECT_EQ(error_of([&] { figure_panels(store, ids); }),
+  EXPECT_EQ(error_of<StoreError>([&] { figure_panels(store, ids); }),
             "trial " + ids.front() + ": no world is stored");
   for (const TraceWorld& world : run.worlds) {
     store.insert_world(world);
@@ -139,7 +131,7 @@ TEST_F(Store, GivesFigurePanelsPerWorld) {
   EXPECT_EQ(panels.front().title, "paper-0");
   EXPECT_EQ(panels.front().tracks.size(), 3U);
   EXPECT_EQ(panels.front().tracks.at(1).label, "as_published");
-  EXPECT_EQ(error_of([&] { figure_panels(store, {"nobody"}); }),
+  EXPECT_EQ(error_of<StoreError>([&] { figure_panels(store, {"nobody"}); }),
             "trial nobody: no such trial is stored");
   EXPECT_EQ(store.trace_sizes().at(ids.front()), store.trace_blob(ids.front())->size());
 }
@@ -175,7 +167,7 @@ TEST_F(Store, RefusesAValueOfAnotherTypeWithRowAndColumn) {
     sqlite::Database(file(), sqlite::OpenMode::existing)
         .execute("UPDATE trials SET " + assignment + " WHERE trial_id = 't2'");
     EXPECT_TRUE(store.record("t1"));
-    return error_of([&] { store.records(); });
+    return error_of<StoreError>([&] { store.records(); });
   };
   const std::string row = file().string() + ": table trials, row with trial_id 't2', column ";
   EXPECT_EQ(refusal("duration_s = 'fast'"), row + "duration_s: expected a number, got 'fast'");
@@ -238,32 +230,35 @@ TEST_F(Store, SurvivesAKillAtAnyMomentWithWholeTrialsOnly) {
 }
 
 TEST_F(Store, SaysThatAFileIsMissing) {
-  EXPECT_EQ(error_of([&] { ResultStore::open(file()); }),
+  EXPECT_EQ(error_of<StoreError>([&] { ResultStore::open(file()); }),
             file().string() + ": cannot open the result store: unable to open database file");
 }
 
 TEST_F(Store, SaysThatAFileIsNoDatabase) {
   std::ofstream(file()) << std::string(2000, 'x');
-  EXPECT_THAT(error_of([&] { ResultStore::open(file()); }), HasSubstr("file is not a database"));
-  EXPECT_THAT(error_of([&] { ResultStore::create(file()); }), HasSubstr("file is not a database"));
+  EXPECT_THAT(error_of<StoreError>([&] { ResultStore::open(file()); }),
+              HasSubstr("file is not a database"));
+  EXPECT_THAT(error_of<StoreError>([&] { ResultStore::create(file()); }),
+              HasSubstr("file is not a database"));
 }
 
 TEST_F(Store, SaysThatTheSchemaIsAnother) {
   ResultStore::create(file());
   sqlite::Database database(file(), sqlite::OpenMode::existing);
   database.execute("PRAGMA user_version = 7");
-  EXPECT_EQ(error_of([&] { ResultStore::open(file()); }),
-            file().string() + ": schema version 7, this program reads version 3");
-  database.execute("PRAGMA user_version = 3");
+  EXPECT_EQ(error_of<StoreError>([&] { ResultStore::open(file()); }),
+            file().string() + ": schema version 7, this program reads version 4");
+  database.execute("PRAGMA user_version = 4");
   database.execute("ALTER TABLE trials DROP COLUMN spl");
-  EXPECT_THAT(error_of([&] { ResultStore::create(file()); }),
+  EXPECT_THAT(error_of<StoreError>([&] { ResultStore::create(file()); }),
               HasSubstr("path_ratio, clearance_smallest_m"));
 }
 
 TEST_F(Store, LeavesADatabaseOfSomebodyElseAlone) {
   sqlite::Database database(file(), sqlite::OpenMode::create);
   database.execute("CREATE TABLE recipes(name TEXT)");
-  EXPECT_THAT(error_of([&] { ResultStore::create(file()); }), HasSubstr("schema version 0"));
+  EXPECT_THAT(error_of<StoreError>([&] { ResultStore::create(file()); }),
+              HasSubstr("schema version 0"));
   sqlite::Statement tables(database, "SELECT count(*) FROM sqlite_master");
   tables.step();
   EXPECT_EQ(tables.integer(0), 1);

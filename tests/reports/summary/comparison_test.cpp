@@ -60,11 +60,27 @@ TEST(Comparison, CountsWhatWasGainedAndLostAndMeasuresPathsOfPairsThatArrivedBot
   EXPECT_EQ(change.lost, 1);
   EXPECT_EQ(change.of(comparison, "goal_reached_share").value, 0.0);
   EXPECT_EQ(change.of(comparison, "path_ratio_median").n, 2);
+  EXPECT_EQ(change.of(comparison, "duration_median_s").n, 2);
   EXPECT_NEAR(change.of(comparison, "path_ratio_median").value, 0.1, 1e-12);
   EXPECT_NEAR(change.of(comparison, "state_checks_median").value, 0.5, 1e-12);
   ASSERT_EQ(comparison.outcomes.size(), 2U);
   EXPECT_EQ(comparison.outcomes[0].outcome_before, collision);
   EXPECT_EQ(comparison.outcomes[0].now.outcome, goal_reached);
+}
+
+TEST(Comparison, LeavesOutOfRelativeChangesWhatWasNothingBefore) {
+  using enum Outcome;
+  std::vector<RunRecord> before, now;
+  for (int i = 0; i < 3; ++i) {
+    before.push_back(trial("a", i, goal_reached, 1));
+    now.push_back(trial("a", i, goal_reached, 1));
+    now.back().state_checks = 150;
+  }
+  before[0].state_checks = 0;
+  const RunComparison comparison = compare_runs(now, before);
+  const Change& checks = comparison.changes.front().of(comparison, "state_checks_median");
+  EXPECT_EQ(checks.n, 2);
+  EXPECT_NEAR(checks.value, 0.5, 1e-12);
 }
 
 TEST(Comparison, TrialsWithoutAPartnerAreCountedNotCompared) {

@@ -82,6 +82,12 @@ TEST(QuantileEstimate, IsTheSameOnEveryCall) {
   EXPECT_EQ(a.interval.high, b.interval.high);
 }
 
+TEST(MeanEstimate, DrawsEveryValue) {
+  const Estimate mean = mean_estimate({0.0, 1.0});
+  EXPECT_EQ(mean.interval.low, 0);
+  EXPECT_EQ(mean.interval.high, 1);
+}
+
 TEST(MeanEstimate, CoversTheMeanOfManySamplesAtItsRate) {
   std::mt19937_64 engine(3);
   int covered = 0;

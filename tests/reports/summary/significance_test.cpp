@@ -27,6 +27,10 @@ TEST(PairedShares, HaveNewcombesInterval) {
   EXPECT_NEAR(same.value, 0.20, 1e-12);
   EXPECT_NEAR(same.interval.low, 0.0569, 0.0005);
   EXPECT_NEAR(same.interval.high, 0.3404, 0.0005);
+  // Where the two shares go together, corrected for continuity.
+  const Estimate together = paired_share_difference(20, 12, 2, 50);
+  EXPECT_NEAR(together.interval.low, 0.0562, 0.0005);
+  EXPECT_NEAR(together.interval.high, 0.3292, 0.0005);
 }
 
 TEST(PairedShares, AreNotCertainWhereNothingDiffers) {

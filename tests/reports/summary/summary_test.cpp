@@ -153,15 +153,16 @@ TEST(SummaryText, ShowsOutcomesWithTheirIntervals) {
   EXPECT_THAT(
       text,
       HasSubstr(
-          "planner    n           goal reached  path ratio       path ratio    SPL  ended "
+          "planner    n  rank           goal reached  path ratio       path ratio    SPL  ended "
           "otherwise\n"
-          "                              share      median  95th percentile   mean\n"
-          "a          2     50.0 % [9.5, 90.5]       1.250            1.250  0.400  1 collision\n"
-          "long name  1  100.0 % [20.7, 100.0]       1.500            1.500  0.667\n"))
+          "                                    share      median  95th percentile   mean\n"
+          "a          2     1     50.0 % [9.5, 90.5]       1.250            1.250  0.400  1 "
+          "collision\n"
+          "long name  1     1  100.0 % [20.7, 100.0]       1.500            1.500  0.667\n"))
       << "columns that no row has a value of are left out";
   EXPECT_THAT(text,
               HasSubstr("Over all trials: goal reached, SPL; trials that reached the goal: path "
-                        "ratio. Brackets are 95 % intervals.\n"));
+                        "ratio. Brackets are 95 % intervals. Rank: 1 + planners that "));
   EXPECT_THAT(text, HasSubstr("planner  against    n  win  tie  loss"));
 }
 
@@ -185,7 +186,7 @@ TEST(SummaryText, OfNothingIsEmpty) {
 TEST(SummaryMarkdown, EscapesWhatMarkdownWouldRead) {
   const std::string text =
       summary_markdown(summarise({trial("as_published|x", "paper-1", 0, Outcome::timeout)}));
-  EXPECT_THAT(text, HasSubstr("| as\\_published\\|x | 1 | 0.0 % [0.0, 79.3] |"));
+  EXPECT_THAT(text, HasSubstr("| as\\_published\\|x | 1 | 1 | 0.0 % [0.0, 79.3] |"));
   EXPECT_THAT(text, HasSubstr("|:---|---:|"));
 }
 
@@ -215,14 +216,14 @@ TEST(SummaryCsv, HasALinePerPlannerAndFourCellsPerStatistic) {
   })));
   std::string head, a, b;
   ASSERT_TRUE(std::getline(lines, head) && std::getline(lines, a) && std::getline(lines, b));
-  EXPECT_THAT(head, ::testing::StartsWith("scenario_group,vehicle,regulator,planner,n,"
+  EXPECT_THAT(head, ::testing::StartsWith("scenario_group,vehicle,regulator,planner,n,rank,"
                                           "goal_reached_share,goal_reached_share_low,"
                                           "goal_reached_share_high,goal_reached_share_n,"));
   EXPECT_EQ(std::count(head.begin(), head.end(), ','),
-            4 + 4 * static_cast<std::ptrdiff_t>(statistics().size()));
+            5 + 4 * static_cast<std::ptrdiff_t>(statistics().size()));
   EXPECT_EQ(std::count(a.begin(), a.end(), ','), std::count(head.begin(), head.end(), ','));
-  EXPECT_THAT(a, ::testing::StartsWith("paper,quadrotor,pd_rate,a,2,0.5,0.09"));
-  EXPECT_THAT(b, ::testing::StartsWith("paper,quadrotor,pd_rate,\"b, c\",1,0,0,0.79"));
+  EXPECT_THAT(a, ::testing::StartsWith("paper,quadrotor,pd_rate,a,2,1,0.5,0.09"));
+  EXPECT_THAT(b, ::testing::StartsWith("paper,quadrotor,pd_rate,\"b, c\",1,1,0,0,0.79"));
 }
 
 }  // namespace
