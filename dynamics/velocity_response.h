@@ -21,7 +21,7 @@ struct PlanarMotion {
 // at once. One that must tilt follows by
 //   da/dt = j,  dj/dt = gain (a_d - a) - damping j,
 // a third-order loop with the poles of the regulator (docs/equations.md; gain g kappa kd, damping
-// kappa kq). Gain and damping grow with tilt as the vehicle's do, the push is limited by its
+// kappa kq). The push may grow with tilt, and is limited by the vehicle's
 // rotors. What is asked for acts one step later.
 //
 // Assumes level flight: height is held, no wind, and a regulator that undoes what turning does to a
@@ -33,6 +33,10 @@ struct VelocityResponse {
   double gain_1_s2 = 0;  // 0: acceleration follows at once
   double damping_1_s = 0;
   double push_max_m_s4 = 0;
+  // How a push grows with the square of the tilt's tangent, where the regulator lets it.
+  double push_growth = 0;
+  // How old the acceleration is that the regulator measures; 0: it reads it from the tilt.
+  double acceleration_age_s = 0;
   double gravity_m_s2 = 9.81;
   // How far a flown stop may stray from the track predicted for it, held against rollouts of model
   // and regulator: at rest and level, and more with what is under way, see error_m().
