@@ -14,6 +14,7 @@ namespace {
 using enum TrialSet;
 using R = RunRecord;
 constexpr ColumnKind exact = ColumnKind::deterministic;
+constexpr ColumnKind beside = ColumnKind::repeatable;
 constexpr ColumnKind measured = ColumnKind::measured;
 
 // Name, member, kind, over which trials, unit, what it is. A new column is a line here, one in
@@ -56,6 +57,9 @@ const RecordColumn kColumns[] = {
     {"map_obstacles", &R::map_obstacles, exact, all, "", "obstacles of the map at the end"},
     {"modes", &R::modes, exact, all, "", "modes of the planner or states of the executive, in the order of first use"},
     {"state_digest", &R::state_digest, exact, moved, "", "hash over every state of the vehicle"},
+    {"tracking_error_rms_m", &R::tracking_error_rms_m, beside, moved, "m", "distance of the centre from the path that it follows, root mean square over the scans that find it following one"},
+    {"tracking_error_max_m", &R::tracking_error_max_m, beside, moved, "m", "largest distance of the centre from the path that it follows, over the same scans"},
+    {"energy_j", &R::energy_j, beside, moved, "J", "mechanical energy that the actuators gave off until the verdict; none for a model without them"},
     {"mapping_time_us_mean", &R::mapping_time_us_mean, measured, moved, "\u00b5s", "mean time of the map per scan"},
     {"mapping_time_us_p99", &R::mapping_time_us_p99, measured, moved, "\u00b5s", "99th percentile of the time of the map per scan"},
     {"planning_time_us_mean", &R::planning_time_us_mean, measured, moved, "\u00b5s", "mean time of planning per scan"},

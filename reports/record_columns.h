@@ -13,6 +13,7 @@ namespace voronaut {
 
 enum class ColumnKind {
   deterministic,  // equal on every run of the same trial: part of the digest
+  repeatable,     // equal as well, but no part of the digest: younger than digests that stand
   measured,       // wall times and what hangs on them
 };
 

@@ -74,8 +74,8 @@ void CascadePid::learn_unexplained(const VehicleState& state, const Vec3& axis_w
 }
 
 Command CascadePid::regulate(const Setpoint& setpoint, const VehicleState& state) {
-  const ThrustAxis thrust = thrust_axis(state);
-  learn_unexplained(state, thrust.axis_world);
+  const Vec3 axis_world = thrust_axis(state);
+  learn_unexplained(state, axis_world);
 
   const Vector2d v_world = state.v_world.head<2>();
   const Vector2d v_desired = desired_velocity(setpoint, state, profile_, limits_.max_speed_m_s);
@@ -97,7 +97,7 @@ Command CascadePid::regulate(const Setpoint& setpoint, const VehicleState& state
   Vec3 turn = straight_tilt(state.w_body);
   turn.head<2>() += config_.rate_gain_1_s * (tilt_rate - state.w_body.head<2>());
   turn.z() = config_.yaw_rate_gain_1_s * (yaw_rate - state.w_body.z());
-  return allocation_.speeds({.thrust_N = vehicle_.mass_kg * lift_m_s2 / thrust.cosine,
+  return allocation_.speeds({.thrust_N = thrust_carrying(vehicle_.mass_kg * lift_m_s2, axis_world),
                              .torque_N_m = torque_for(turn, state.w_body, inertia_kg_m2_)});
 }
 

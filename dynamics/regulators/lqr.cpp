@@ -44,15 +44,15 @@ Command Lqr::regulate(const Setpoint& setpoint, const VehicleState& state) {
   const auto& [height_k, climb_k] = lqr_gains::kHeight.k;
   const auto& [heading_k, yaw_rate_k] = lqr_gains::kYaw.k;
   const double g = vehicle_.gravity_m_s2;
-  const ThrustAxis thrust = thrust_axis(state);
+  const Vec3 axis_world = thrust_axis(state);
+  const double cosine = bounded_cosine(axis_world);
   const Vector2d a_desired =
       desired_acceleration(desired_velocity(setpoint, state, profile_, limits_.max_speed_m_s),
                            state.v_world.head<2>(), stopping_law().k_1_s, max_acceleration_m_s2_);
-  const Vector2d a = (g / thrust.cosine) * thrust.axis_world.head<2>();
+  const Vector2d a = (g / cosine) * axis_world.head<2>();
 
   // A turn of the thrust changes the acceleration by g / cos^2.
-  const Vector2d push =
-      (config_.acceleration_gain_1_s2 * thrust.cosine * thrust.cosine / g) * (a_desired - a);
+  const Vector2d push = (config_.acceleration_gain_1_s2 * cosine * cosine / g) * (a_desired - a);
   const Vector2d ahead = state.heading_world();
   const double climb_error =
       desired_climb_m_s(setpoint, state, height_k / climb_k) - state.v_world.z();
@@ -64,7 +64,7 @@ Command Lqr::regulate(const Setpoint& setpoint, const VehicleState& state) {
   turn.y() += push.dot(ahead) - config_.jerk_gain_1_s * w.y();
   turn.z() = yaw_rate_k * (yaw_rate - w.z());
   return allocation_.speeds(
-      {.thrust_N = vehicle_.mass_kg * (g + climb_k * climb_error) / thrust.cosine,
+      {.thrust_N = thrust_carrying(vehicle_.mass_kg * (g + climb_k * climb_error), axis_world),
        .torque_N_m = torque_for(turn, w, inertia_kg_m2_)});
 }
 

@@ -7,7 +7,7 @@ namespace voronaut {
 namespace {
 
 // Of what hovering leaves to the nearer limit: kept from thrust for torque.
-constexpr double kTorqueReserve = 0.15;
+constexpr double kTorqueReserve = 0.25;
 // Of the square of the hover speed. The rotors' drag turns the body weakly: who gave yaw all that
 // it asks for would have nothing left to tilt with.
 constexpr double kYawShare = 0.3;

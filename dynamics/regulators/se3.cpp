@@ -16,7 +16,7 @@ using Se3Gains = Se3Config::Gains;
 // Bounds of VelocityResponse::error_m that tests/dynamics/velocity_response_test.cpp holds.
 constexpr double kSe3StopErrorAtRest_m = 0.018;
 constexpr double kAgileSe3StopError_s = 0.012;
-constexpr double kSluggishSe3StopError_s = 0.02;
+constexpr double kSluggishSe3StopError_s = 0.03;
 
 // Of a_max, in the mean over a stop: while the axis turns F . R e3 gives less than the tilt will.
 constexpr double kMeanDeceleration = 0.9;
@@ -28,7 +28,7 @@ Se3Config with_gains(Se3Config config, const QuadrotorConfig& vehicle) {
                        (config.gains == Se3Gains::by_inertia &&
                         vehicle.inertia == QuadrotorConfig::InertiaSet::printed);
   if (config.gains == Se3Gains::custom) return config;
-  config.velocity_gain_1_s = printed ? 1.6 : 2.2;
+  config.velocity_gain_1_s = printed ? 1.6 : 2;
   config.attitude_pole_rad_s = printed ? 7 : 10;
   config.attitude_damping = 0.9;
   return config;

@@ -16,13 +16,13 @@ struct Se3Config {
 
   enum class Gains {
     by_inertia,  // corrected or printed, as the vehicle's inertia set says
-    corrected,   // 2.2, 10, 0.9
+    corrected,   // 2, 10, 0.9
     printed,     // 1.6, 7, 0.9
     custom,      // velocity_gain_1_s, attitude_pole_rad_s, attitude_damping
   };
 
   Gains gains = Gains::by_inertia;
-  double velocity_gain_1_s = 2.2;
+  double velocity_gain_1_s = 2;
   double attitude_pole_rad_s = 10;
   double attitude_damping = 0.9;
   double height_gain_1_s = 1.667;

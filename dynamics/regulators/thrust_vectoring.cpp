@@ -5,15 +5,21 @@
 namespace voronaut {
 namespace {
 
-constexpr double kMinThrustCosine = 0.25;
+constexpr double kLeastCosine = 0.5;
 
 }  // namespace
 
-ThrustAxis thrust_axis(const VehicleState& state) {
+Vec3 thrust_axis(const VehicleState& state) {
   const Eigen::Quaterniond& q = state.q_world_body;
-  const Vec3 axis(2 * (q.x() * q.z() + q.w() * q.y()), 2 * (q.y() * q.z() - q.w() * q.x()),
-                  1 - 2 * (q.x() * q.x() + q.y() * q.y()));
-  return {axis, std::max(axis.z(), kMinThrustCosine)};
+  return {2 * (q.x() * q.z() + q.w() * q.y()), 2 * (q.y() * q.z() - q.w() * q.x()),
+          1 - 2 * (q.x() * q.x() + q.y() * q.y())};
+}
+
+double bounded_cosine(const Vec3& axis_world) { return std::max(axis_world.z(), kLeastCosine); }
+
+double thrust_carrying(double lift, const Vec3& axis_world) {
+  if (axis_world.z() >= kLeastCosine) return lift / axis_world.z();
+  return lift * std::max(axis_world.z(), 0.0) / (kLeastCosine * kLeastCosine);
 }
 
 Eigen::Vector2d desired_acceleration(const Eigen::Vector2d& v_desired, const Eigen::Vector2d& v,

@@ -5,12 +5,16 @@
 // What the regulators have in common that fly the quadrotor by thrust and torque.
 namespace voronaut {
 
-// The body's z axis, along which it thrusts.
-struct ThrustAxis {
-  Vec3 axis_world = Vec3::UnitZ();
-  double cosine = 1;  // of the tilt; no less than 0.25, more than that the thrust does not make up
-};
-ThrustAxis thrust_axis(const VehicleState& state);
+// The body's z axis, along which it thrusts: world axes.
+Vec3 thrust_axis(const VehicleState& state);
+
+// Cosine of its tilt, no less than 0.5: what is tilted more is flown as if it were by 60 deg.
+double bounded_cosine(const Vec3& axis_world);
+
+// Thrust whose vertical part is `lift`, as far as 60 deg of tilt; from there on less, none where
+// the axis points down: whoever lies on the side wants room for torque, not to be thrust farther
+// off.
+double thrust_carrying(double lift, const Vec3& axis_world);
 
 // k (v_desired - v) in the plane, no longer than the limit.
 Eigen::Vector2d desired_acceleration(const Eigen::Vector2d& v_desired, const Eigen::Vector2d& v,

@@ -94,6 +94,19 @@ TEST(VelocityResponse, PredictsTheStopsOfThePrintedInertiaWithinItsError) {
   EXPECT_LE(share, 1);
 }
 
+// The others of the quadrotor, on both sets of inertia.
+TEST(VelocityResponse, PredictsTheStopsOfEveryRegulatorOfTheQuadrotorWithinItsError) {
+  unsigned seed = 10;
+  for (const std::string name : {"cascade_pid", "se3", "lqr"}) {
+    for (const VehicleSpec& vehicle :
+         {find_vehicle("quadrotor"), testing::quadrotor_with_printed_inertia()}) {
+      const double share = largest_share({vehicle, find_regulator(name), ++seed}, 3000);
+      RecordProperty(name + std::to_string(seed), std::to_string(share));
+      EXPECT_LE(share, 1) << name << ", seed " << seed;
+    }
+  }
+}
+
 TEST(VelocityResponse, PromisesNoStopForTheUnstableLiteralLaw) {
   EXPECT_THROW(
       velocity_response(find_regulator("paper_literal"), find_vehicle("quadrotor"), kPeriod_s),

@@ -253,7 +253,7 @@ TEST_F(Store, SaysThatTheSchemaIsAnother) {
   sqlite::Database database(file(), sqlite::OpenMode::existing);
   database.execute("PRAGMA user_version = 7");
   EXPECT_EQ(error_of([&] { ResultStore::open(file()); }),
-            file().string() + ": schema version 7, this program reads version 3");
+            file().string() + ": schema version 7, this program reads version 4");
   database.execute("PRAGMA user_version = 3");
   database.execute("ALTER TABLE trials DROP COLUMN spl");
   EXPECT_THAT(error_of([&] { ResultStore::create(file()); }),
