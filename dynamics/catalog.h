@@ -72,7 +72,8 @@ Mobility mobility_of(const VehicleSpec& vehicle);
 std::unique_ptr<Regulator> make_regulator(const RegulatorConfig& config, const VehicleSpec& vehicle,
                                           double period_s);
 
-// Of the regulator that make_regulator makes; throw as it and as Regulator's virtuals do.
+// Of the regulator that make_regulator makes; throw as it and as Regulator's virtuals do, the
+// response also where the period is above its kLongestPeriod_s.
 StoppingLaw stopping_law(const RegulatorConfig& config, const VehicleSpec& vehicle);
 VelocityResponse velocity_response(const RegulatorConfig& config, const VehicleSpec& vehicle,
                                    double period_s);

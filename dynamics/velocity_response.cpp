@@ -78,7 +78,8 @@ std::optional<Vector2d> straight_way_left_m(const VelocityResponse& r, const Pla
 
 double VelocityResponse::error_m(const PlanarMotion& now, const Vector2d& v_commanded) const {
   const double speed_m_s = std::max(now.v_m_s.norm(), v_commanded.norm());
-  return error_at_rest_m + error_per_speed_s * (speed_m_s + now.a_m_s2.norm() / k_1_s);
+  const double slower = std::max(1.0, period_s / kErrorsHoldUpTo_s);
+  return slower * (error_at_rest_m + error_per_speed_s * (speed_m_s + now.a_m_s2.norm() / k_1_s));
 }
 
 PlanarMotion VelocityResponse::motion_of(const VehicleState& state) const {

@@ -20,9 +20,8 @@ struct PlanarMotion {
 // acceleration a_d = k (v_commanded - v), no longer than a_max. A vehicle without attitude has it
 // at once. One that must tilt follows by
 //   da/dt = j,  dj/dt = gain (a_d - a) - damping j,
-// a third-order loop with the poles of the regulator (docs/equations.md; gain g kappa kd, damping
-// kappa kq). The push may grow with tilt, and is limited by the vehicle's
-// rotors. What is asked for acts one step later.
+// a third-order loop with the poles of the regulator (docs/vehicles.md). The push may grow with
+// tilt, and is limited by the vehicle's rotors. What is asked for acts one step later.
 //
 // Assumes level flight: height is held, no wind, and a regulator that undoes what turning does to a
 // tilted vehicle; what it leaves is part of the error.
@@ -43,6 +42,10 @@ struct VelocityResponse {
   double error_at_rest_m = 0;
   double error_per_speed_s = 0;
 
+  // Periods longer than this stray farther, as far as they are longer: held at twice of it.
+  static constexpr double kErrorsHoldUpTo_s = 0.01;
+  // Beyond this nothing is promised: dynamics/catalog.h refuses.
+  static constexpr double kLongestPeriod_s = 0.02;
   // Grows with the larger of the speeds now and commanded, and with what acceleration adds to it
   // within 1/k.
   double error_m(const PlanarMotion& now, const Eigen::Vector2d& v_commanded) const;

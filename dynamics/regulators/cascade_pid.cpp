@@ -14,8 +14,8 @@ using CascadeGains = CascadePidConfig::Gains;
 
 // Bounds of VelocityResponse::error_m that tests/dynamics/velocity_response_test.cpp holds.
 constexpr double kCascadeStopErrorAtRest_m = 0.016;
-constexpr double kAgileCascadeStopError_s = 0.004;
-constexpr double kSluggishCascadeStopError_s = 0.025;  // on the printed inertia the rotors saturate
+constexpr double kAgileCascadeStopError_s = 0.005;
+constexpr double kSluggishCascadeStopError_s = 0.045;  // on the printed inertia the rotors saturate
 
 // 2 sin(e/2) about the axis that turns the body's z axis to `wanted` (unit vector, body axes): the
 // error e of the tilt, and the most where `wanted` lies below.

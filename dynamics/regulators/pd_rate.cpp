@@ -18,7 +18,7 @@ constexpr double kMinCosTilt = 0.25;    // the thrust is not raised for more til
 // Bounds of VelocityResponse::error_m that tests/dynamics/velocity_response_test.cpp holds.
 constexpr double kPdRateStopErrorAtRest_m = 0.014;
 constexpr double kAgileStopError_s = 0.008;    // on the corrected inertia
-constexpr double kSluggishStopError_s = 0.08;  // on the printed one the rotors saturate
+constexpr double kSluggishStopError_s = 0.13;  // on the printed one the rotors saturate
 
 struct HorizontalPoles {
   double velocity_rad_s, attitude_rad_s, damping;

@@ -15,8 +15,8 @@ using Se3Gains = Se3Config::Gains;
 
 // Bounds of VelocityResponse::error_m that tests/dynamics/velocity_response_test.cpp holds.
 constexpr double kSe3StopErrorAtRest_m = 0.018;
-constexpr double kAgileSe3StopError_s = 0.012;
-constexpr double kSluggishSe3StopError_s = 0.03;
+constexpr double kAgileSe3StopError_s = 0.016;
+constexpr double kSluggishSe3StopError_s = 0.05;
 
 // Of a_max, in the mean over a stop: while the axis turns F . R e3 gives less than the tilt will.
 constexpr double kMeanDeceleration = 0.9;

@@ -72,7 +72,7 @@ TEST(Metrics, EnergyIsTheRotorsPowerOverTime) {
   EXPECT_NEAR(energy_j(ticks, model), 42.81, 0.01);
   for (double& w : ticks[2].state.actuators) w *= 2;
   EXPECT_NEAR(energy_j(ticks, model), 0.5 * 9 * 42.81, 0.05);
-  EXPECT_TRUE(std::isnan(energy_j(ticks, Ideal({}))));
+  EXPECT_TRUE(std::isnan(energy_j(ticks, Ideal(IdealConfig{}))));
 }
 
 TEST(Metrics, SplIsZeroForAFailureAndNeverAboveOne) {

@@ -254,7 +254,7 @@ TEST_F(Store, SaysThatTheSchemaIsAnother) {
   database.execute("PRAGMA user_version = 7");
   EXPECT_EQ(error_of([&] { ResultStore::open(file()); }),
             file().string() + ": schema version 7, this program reads version 4");
-  database.execute("PRAGMA user_version = 3");
+  database.execute("PRAGMA user_version = 4");
   database.execute("ALTER TABLE trials DROP COLUMN spl");
   EXPECT_THAT(error_of([&] { ResultStore::create(file()); }),
               HasSubstr("path_ratio, clearance_smallest_m"));
