@@ -133,7 +133,12 @@ StoppingLaw stopping_law(const RegulatorConfig& config, const VehicleSpec& vehic
 
 VelocityResponse velocity_response(const RegulatorConfig& config, const VehicleSpec& vehicle,
                                    double period_s) {
-  return make_regulator(config, vehicle, period_s)->velocity_response();
+  const VelocityResponse response = make_regulator(config, vehicle, period_s)->velocity_response();
+  if (period_s > VelocityResponse::kLongestPeriod_s) {
+    throw std::invalid_argument("regulator '" + name_of(config) +
+                                "' promises no stop at periods above 0.02 s");
+  }
+  return response;
 }
 
 }  // namespace voronaut

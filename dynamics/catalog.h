@@ -11,10 +11,13 @@
 #include "voronaut/dynamics/models/ideal.h"
 #include "voronaut/dynamics/models/quadrotor.h"
 #include "voronaut/dynamics/regulator.h"
+#include "voronaut/dynamics/regulators/cascade_pid.h"
 #include "voronaut/dynamics/regulators/ideal.h"
+#include "voronaut/dynamics/regulators/lqr.h"
 #include "voronaut/dynamics/regulators/paper_literal.h"
 #include "voronaut/dynamics/regulators/pd_rate.h"
 #include "voronaut/dynamics/regulators/position_trajectory.h"
+#include "voronaut/dynamics/regulators/se3.h"
 
 // Models, regulators and vehicles by name. What each can do is told by the virtuals of Model and
 // Regulator: nothing outside of this folder asks which one it is.
@@ -29,7 +32,8 @@ using ModelConfig = std::variant<IdealConfig, QuadrotorConfig, CartConfig>;
 // A regulator's config has kName, a visit list and `Law`, the class that is made from it. A law
 // drives each model from whose config it can be made: Law(config, model's config, limits, period).
 using RegulatorConfig =
-    std::variant<IdealRegulatorConfig, PaperLiteralConfig, PdRateConfig, PositionTrajectoryConfig>;
+    std::variant<IdealRegulatorConfig, PaperLiteralConfig, PdRateConfig, PositionTrajectoryConfig,
+                 CascadePidConfig, Se3Config, LqrConfig>;
 
 struct VehicleSpec {
   std::string name;
@@ -68,7 +72,8 @@ Mobility mobility_of(const VehicleSpec& vehicle);
 std::unique_ptr<Regulator> make_regulator(const RegulatorConfig& config, const VehicleSpec& vehicle,
                                           double period_s);
 
-// Of the regulator that make_regulator makes; throw as it and as Regulator's virtuals do.
+// Of the regulator that make_regulator makes; throw as it and as Regulator's virtuals do, the
+// response also where the period is above its kLongestPeriod_s.
 StoppingLaw stopping_law(const RegulatorConfig& config, const VehicleSpec& vehicle);
 VelocityResponse velocity_response(const RegulatorConfig& config, const VehicleSpec& vehicle,
                                    double period_s);

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <limits>
+
 #include "voronaut/dynamics/state.h"
 
 namespace voronaut {
@@ -26,6 +28,12 @@ class Model {
   // The state `period_s` later under `command` held constant.
   virtual VehicleState step(const VehicleState& state, const Command& command,
                             double period_s) const = 0;
+
+  // Mechanical power that its actuators give off at the end of a step [W]; NaN of a model that has
+  // none.
+  virtual double power_w(const VehicleState&) const {
+    return std::numeric_limits<double>::quiet_NaN();
+  }
 };
 
 }  // namespace voronaut

@@ -28,8 +28,7 @@ Vector2d shortened(const Vector2d& v, double length) {
 Vector2d asked_for(const VelocityResponse& r, const PlanarMotion& m, const Vector2d& v_commanded) {
   const Vector2d a_desired = shortened(r.k_1_s * (v_commanded - m.v_m_s), r.a_max_m_s2);
   if (r.gain_1_s2 == 0) return a_desired;
-  // It measures acceleration as the latest difference of velocities, half a step old.
-  const Vector2d a_measured = m.a_m_s2 - 0.5 * r.period_s * m.j_m_s3;
+  const Vector2d a_measured = m.a_m_s2 - r.acceleration_age_s * m.j_m_s3;
   return shortened(r.gain_1_s2 * (a_desired - a_measured) - r.damping_1_s * m.j_m_s3,
                    r.push_max_m_s4);
 }
@@ -41,12 +40,10 @@ void advance(const VelocityResponse& r, PlanarMotion& m, const Vector2d& push) {
     m.a_m_s2 = push;
     m.v_m_s += t_s * push;
   } else {
-    // Tilted, a turn of the thrust changes its horizontal part by 1/cos^2, and the rotors turn
-    // faster by 1/sqrt(cos).
     const double tan_sq = m.a_m_s2.squaredNorm() / (r.gravity_m_s2 * r.gravity_m_s2);
     const Vector2d j = m.j_m_s3;
     const Vector2d a = m.a_m_s2;
-    m.j_m_s3 += (t_s * (1 + 1.25 * tan_sq)) * push;
+    m.j_m_s3 += (t_s * (1 + r.push_growth * tan_sq)) * push;
     m.a_m_s2 += (0.5 * t_s) * (j + m.j_m_s3);
     m.v_m_s += (0.5 * t_s) * (a + m.a_m_s2);
   }
@@ -65,10 +62,10 @@ std::optional<Vector2d> straight_way_left_m(const VelocityResponse& r, const Pla
   const double t_s = r.period_s;
   const Vector2d v_before = m.v_m_s - t_s * m.a_m_s2;
   const Vector2d a_before = m.a_m_s2 - t_s * m.j_m_s3;
-  const Vector2d way_m =
-      (m.j_m_s3 + r.gain_1_s2 * v_before + (r.damping_1_s - 0.5 * r.gain_1_s2 * t_s) * a_before) /
-          (r.gain_1_s2 * r.k_1_s) -
-      (0.5 * t_s) * (m.v_m_s + v_before);
+  const Vector2d way_m = (m.j_m_s3 + r.gain_1_s2 * v_before +
+                          (r.damping_1_s - r.gain_1_s2 * r.acceleration_age_s) * a_before) /
+                             (r.gain_1_s2 * r.k_1_s) -
+                         (0.5 * t_s) * (m.v_m_s + v_before);
   const double speed_m_s = m.v_m_s.norm();
   const double aside_m =
       speed_m_s > 0 ? std::abs(m.v_m_s.x() * way_m.y() - m.v_m_s.y() * way_m.x()) / speed_m_s
@@ -81,7 +78,8 @@ std::optional<Vector2d> straight_way_left_m(const VelocityResponse& r, const Pla
 
 double VelocityResponse::error_m(const PlanarMotion& now, const Vector2d& v_commanded) const {
   const double speed_m_s = std::max(now.v_m_s.norm(), v_commanded.norm());
-  return error_at_rest_m + error_per_speed_s * (speed_m_s + now.a_m_s2.norm() / k_1_s);
+  const double slower = std::max(1.0, period_s / kErrorsHoldUpTo_s);
+  return slower * (error_at_rest_m + error_per_speed_s * (speed_m_s + now.a_m_s2.norm() / k_1_s));
 }
 
 PlanarMotion VelocityResponse::motion_of(const VehicleState& state) const {

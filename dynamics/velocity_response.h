@@ -20,9 +20,8 @@ struct PlanarMotion {
 // acceleration a_d = k (v_commanded - v), no longer than a_max. A vehicle without attitude has it
 // at once. One that must tilt follows by
 //   da/dt = j,  dj/dt = gain (a_d - a) - damping j,
-// a third-order loop with the poles of the regulator (docs/equations.md; gain g kappa kd, damping
-// kappa kq). Gain and damping grow with tilt as the vehicle's do, the push is limited by its
-// rotors. What is asked for acts one step later.
+// a third-order loop with the poles of the regulator (docs/vehicles.md). The push may grow with
+// tilt, and is limited by the vehicle's rotors. What is asked for acts one step later.
 //
 // Assumes level flight: height is held, no wind, and a regulator that undoes what turning does to a
 // tilted vehicle; what it leaves is part of the error.
@@ -33,12 +32,20 @@ struct VelocityResponse {
   double gain_1_s2 = 0;  // 0: acceleration follows at once
   double damping_1_s = 0;
   double push_max_m_s4 = 0;
+  // How a push grows with the square of the tilt's tangent, where the regulator lets it.
+  double push_growth = 0;
+  // How old the acceleration is that the regulator measures; 0: it reads it from the tilt.
+  double acceleration_age_s = 0;
   double gravity_m_s2 = 9.81;
   // How far a flown stop may stray from the track predicted for it, held against rollouts of model
   // and regulator: at rest and level, and more with what is under way, see error_m().
   double error_at_rest_m = 0;
   double error_per_speed_s = 0;
 
+  // Periods longer than this stray farther, as far as they are longer: held at twice of it.
+  static constexpr double kErrorsHoldUpTo_s = 0.01;
+  // Beyond this nothing is promised: dynamics/catalog.h refuses.
+  static constexpr double kLongestPeriod_s = 0.02;
   // Grows with the larger of the speeds now and commanded, and with what acceleration adds to it
   // within 1/k.
   double error_m(const PlanarMotion& now, const Eigen::Vector2d& v_commanded) const;

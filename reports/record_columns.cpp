@@ -14,7 +14,7 @@ namespace {
 using enum TrialSet;
 using R = RunRecord;
 constexpr ColumnKind exact = ColumnKind::deterministic;
-constexpr ColumnKind of_world = ColumnKind::of_world;
+constexpr ColumnKind beside = ColumnKind::repeatable;
 constexpr ColumnKind measured = ColumnKind::measured;
 
 // Name, member, kind, over which trials, unit, what it is. A new column is a line here, one in
@@ -37,8 +37,8 @@ const RecordColumn kColumns[] = {
     {"path_length_m", &R::path_length_m, exact, moved, "m", "length of the path flown, in the plane"},
     {"shortest_length_m", &R::shortest_length_m, exact, all, "m", "shortest path of the body through the true world"},
     {"shortest_at_clearance_m", &R::shortest_at_clearance_m, exact, all, "m", "shortest path at the clearance that planners must keep (planning_clearance_m)"},
-    {"free_share", &R::free_share, of_world, all, "", "share of the bounds that no solid of the true world covers"},
-    {"narrowest_passage_m", &R::narrowest_passage_m, of_world, all, "m", "diameter of the largest disc that gets from start to goal in the true world, its centre within the bounds; 0 if none does, absent if any does"},
+    {"free_share", &R::free_share, beside, all, "", "share of the bounds that no solid of the true world covers"},
+    {"narrowest_passage_m", &R::narrowest_passage_m, beside, all, "m", "diameter of the largest disc that gets from start to goal in the true world, its centre within the bounds; 0 if none does, absent if any does"},
     {"path_ratio", &R::path_ratio, exact, goal_reached, "", "path flown, with the straight rest to the goal, over the shortest one of the body, each counted as the goal's tolerance at least"},
     {"spl", &R::spl, exact, all, "", "success weighted by path length; 0 for a failure"},
     {"clearance_smallest_m", &R::clearance_smallest_m, exact, moved, "m", "smallest clearance under way, centre to the surface of the true world"},
@@ -47,9 +47,9 @@ const RecordColumn kColumns[] = {
     {"speed_max_m_s", &R::speed_max_m_s, exact, moved, "m/s", "highest speed"},
     {"end_x_m", &R::end_x_m, exact, moved, "m", "x of the place where it ended"},
     {"end_y_m", &R::end_y_m, exact, moved, "m", "y of the place where it ended"},
-    {"barn_time_s", &R::barn_time_s, exact, goal_reached, "s", "time to the goal by the clock of the BARN challenge, which starts when the robot has moved 0.1 m"},
-    {"barn_score", &R::barn_score, exact, all, "", "score of the BARN challenge since 2024, at most 0.5; 0 for a failure; only of its courses"},
-    {"barn_pace", &R::barn_pace, exact, goal_reached, "", "the same without its bounds: the course's length at 2 m/s over barn_time_s"},
+    {"barn_time_s", &R::barn_time_s, beside, goal_reached, "s", "time to the goal by the clock of the BARN challenge, which starts when the robot has moved 0.1 m"},
+    {"barn_score", &R::barn_score, beside, all, "", "score of the BARN challenge since 2024, at most 0.5; 0 for a failure; only of its courses"},
+    {"barn_pace", &R::barn_pace, beside, goal_reached, "", "the same without its bounds: the course's length at 2 m/s over barn_time_s"},
     {"replans", &R::replans, exact, all, "", "how often the planner was asked"},
     {"state_checks", &R::state_checks, exact, all, "", "states that the planner had checked; the same on every machine"},
     {"budget_stops", &R::budget_stops, exact, all, "", "solves that ended because the budget was spent"},
@@ -62,6 +62,9 @@ const RecordColumn kColumns[] = {
     {"map_obstacles", &R::map_obstacles, exact, all, "", "obstacles of the map at the end"},
     {"modes", &R::modes, exact, all, "", "modes of the planner or states of the executive, in the order of first use"},
     {"state_digest", &R::state_digest, exact, moved, "", "hash over every state of the vehicle"},
+    {"tracking_error_rms_m", &R::tracking_error_rms_m, beside, moved, "m", "distance of the centre from the path that it follows, root mean square over the scans that find it following one"},
+    {"tracking_error_max_m", &R::tracking_error_max_m, beside, moved, "m", "largest distance of the centre from the path that it follows, over the same scans"},
+    {"energy_j", &R::energy_j, beside, moved, "J", "mechanical energy that the actuators gave off until the verdict; none for a model without them"},
     {"mapping_time_us_mean", &R::mapping_time_us_mean, measured, moved, "\u00b5s", "mean time of the map per scan"},
     {"mapping_time_us_p99", &R::mapping_time_us_p99, measured, moved, "\u00b5s", "99th percentile of the time of the map per scan"},
     {"planning_time_us_mean", &R::planning_time_us_mean, measured, moved, "\u00b5s", "mean time of planning per scan"},

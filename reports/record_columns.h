@@ -13,7 +13,8 @@ namespace voronaut {
 
 enum class ColumnKind {
   deterministic,  // equal on every run of the same trial: part of the digest
-  of_world,       // equal on every run, too, but no result: not part of the digest
+  repeatable,     // equal as well, but no part of the digest: says something of the world, or is
+                  // younger than digests that stand
   measured,       // wall times and what hangs on them
 };
 

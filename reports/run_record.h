@@ -57,6 +57,10 @@ struct RunRecord {
   std::string modes;
   std::string state_digest;
 
+  double tracking_error_rms_m = kAbsent;
+  double tracking_error_max_m = kAbsent;
+  double energy_j = kAbsent;
+
   double mapping_time_us_mean = kAbsent;
   double mapping_time_us_p99 = kAbsent;
   double planning_time_us_mean = kAbsent;

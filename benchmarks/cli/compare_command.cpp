@@ -19,7 +19,7 @@ namespace {
 // What the command compares unless it is told: all that does not hang on the machine.
 bool by_default(const Statistic& statistic) {
   const RecordColumn* column = column_of(statistic);
-  return column == nullptr || column->kind == ColumnKind::deterministic;
+  return column == nullptr || column->kind != ColumnKind::measured;
 }
 
 std::vector<const Statistic*> statistics_of(const CompareOptions& options) {

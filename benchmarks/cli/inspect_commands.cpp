@@ -5,6 +5,7 @@
 #include "voronaut/benchmarks/cli/commands.h"
 #include "voronaut/benchmarks/cli/dry_run.h"
 #include "voronaut/benchmarks/isolation/child_process.h"
+#include "voronaut/benchmarks/responses/response_tables.h"
 #include "voronaut/benchmarks/suite/shipped_files.h"
 #include "voronaut/benchmarks/suite/suite_config.h"
 #include "voronaut/benchmarks/suite/suite_trials.h"
@@ -125,6 +126,10 @@ ExitCode execute(const ListOptions& options, const CommandContext& context) {
   }
   if (options.what == "results") {
     context.out << results_page();
+    return ExitCode::success;
+  }
+  if (options.what == "responses") {
+    context.out << response_tables();
     return ExitCode::success;
   }
   const ListedRows rows = rows_of(options.what);

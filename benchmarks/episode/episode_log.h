@@ -3,6 +3,7 @@
 #include <array>
 #include <chrono>
 #include <cstdint>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -36,6 +37,8 @@ struct ScanEvent {
   SolveEnd solve_end = SolveEnd::planner;  // of the solve that `replan` asked for
   std::size_t known_points = 0;            // of the map, without virtual obstacles
   ExecutiveState executive = ExecutiveState::takeoff;
+  // Of the centre from the path that is followed; NaN without one.
+  double path_distance_m = std::numeric_limits<double>::quiet_NaN();
   double speed_scale = 1;             // of the speed asked for, as the governor allowed it
   std::vector<Eigen::Vector2d> tube;  // the governor's proved track, corners; empty: none
   double planning_time_us = 0;

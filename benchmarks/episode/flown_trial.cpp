@@ -19,7 +19,8 @@ std::string join(const std::vector<std::string>& words) {
   return text;
 }
 
-void add_metrics(RunRecord& record, const EpisodeLog& log, const Scenario& scenario) {
+void add_metrics(RunRecord& record, const EpisodeLog& log, const Scenario& scenario,
+                 const Model& model) {
   const double arrival_or_end_s = log.end_s;
   const auto last = static_cast<std::size_t>(
       std::count_if(log.ticks.begin(), log.ticks.end(),
@@ -32,6 +33,10 @@ void add_metrics(RunRecord& record, const EpisodeLog& log, const Scenario& scena
   record.speed_max_m_s = speed_max_m_s(flown);
   if (scenario.barn_length_m > 0) add_barn(record, flown, scenario.barn_length_m);
   record.state_digest = state_digest(log.ticks);
+  const TrackingError tracking = tracking_error(log.scans);
+  record.tracking_error_rms_m = tracking.rms_m;
+  record.tracking_error_max_m = tracking.max_m;
+  record.energy_j = energy_j(flown, model);
 }
 
 void add_times(RunRecord& record, const EpisodeLog& log) {
@@ -65,7 +70,7 @@ TrialResult run_flown_trial(const TrialSpec& spec, const PlannerCatalog& planner
   add_solve_ends(result.record, log.solve_ends);
   result.record.map_points = static_cast<std::int64_t>(flight.navigator.known().points().size());
   result.record.map_obstacles = static_cast<std::int64_t>(flight.navigator.known().cluster_count());
-  add_metrics(result.record, log, spec.scenario);
+  add_metrics(result.record, log, spec.scenario, *flight.model);
   add_times(result.record, log);
   if (keep_trace) result.trace = trace_of(spec, log, flight.navigator.known());
   return result;

@@ -62,6 +62,27 @@ double path_ratio(double to_goal_m, double shortest_m, double goal_tolerance_m) 
   return at_least(to_goal_m, goal_tolerance_m) / at_least(shortest_m, goal_tolerance_m);
 }
 
+TrackingError tracking_error(std::span<const ScanEvent> scans) {
+  double sum_m2 = 0;
+  double largest_m = 0;
+  std::size_t count = 0;
+  for (const ScanEvent& scan : scans) {
+    if (std::isnan(scan.path_distance_m)) continue;
+    sum_m2 += scan.path_distance_m * scan.path_distance_m;
+    largest_m = std::max(largest_m, scan.path_distance_m);
+    ++count;
+  }
+  if (count == 0) return {};
+  return {std::sqrt(sum_m2 / static_cast<double>(count)), largest_m};
+}
+
+double energy_j(std::span<const Tick> ticks, const Model& model) {
+  double energy = ticks.empty() ? kAbsent : 0;
+  for (std::size_t i = 1; i < ticks.size(); ++i)
+    energy += model.power_w(ticks[i].state) * (ticks[i].t_s - ticks[i - 1].t_s);
+  return energy;
+}
+
 double mean(std::span<const double> samples) {
   if (samples.empty()) return kAbsent;
   return std::accumulate(samples.begin(), samples.end(), 0.0) / static_cast<double>(samples.size());

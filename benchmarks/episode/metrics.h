@@ -4,6 +4,7 @@
 #include <string>
 
 #include "voronaut/benchmarks/episode/episode_log.h"
+#include "voronaut/dynamics/model.h"
 #include "voronaut/reports/run_record.h"
 
 // Metrics of a flight: pure functions of its log. Less is better for lengths, times and ratios,
@@ -29,6 +30,18 @@ double speed_max_m_s(std::span<const Tick> ticks);
 double spl(bool success, double shortest_m, double flown_m, double goal_tolerance_m);
 // Length to the goal over the shortest; NaN without a shortest path.
 double path_ratio(double to_goal_m, double shortest_m, double goal_tolerance_m);
+
+// Root mean square and largest of the distances from the path followed [m], over the scans that
+// have one; NaN where none has.
+struct TrackingError {
+  double rms_m = kAbsent;
+  double max_m = kAbsent;
+};
+TrackingError tracking_error(std::span<const ScanEvent> scans);
+
+// Sum of the model's power after each step times its length [J]: exact for actuators that hold
+// still over a step. NaN for a model that has no power.
+double energy_j(std::span<const Tick> ticks, const Model& model);
 
 double mean(std::span<const double> samples);
 

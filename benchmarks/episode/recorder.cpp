@@ -60,6 +60,10 @@ void Recorder::record_scan() {
   event.lookahead_world = report.lookahead_world;
   event.mode = mode_of_scan(report);
   event.plan = navigator_.path().empty() ? -1 : static_cast<int>(log_.plans.size()) - 1;
+  if (const Path& path = navigator_.path(); !path.empty()) {
+    const Vec2 p = log_.ticks.back().state.p_world.head<2>();
+    event.path_distance_m = path.project(p, 0, path.length_m()).distance_m;
+  }
   event.replan = report.replan;
   event.solve_end = report.solve_end;
   event.known_points = navigator_.known().points().size();

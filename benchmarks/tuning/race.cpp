@@ -18,7 +18,7 @@ namespace {
 bool can_be_tuned_for(const Statistic& statistic) {
   const RecordColumn* column = column_of(statistic);
   return statistic.better != Better::neither &&
-         (column == nullptr || column->kind == ColumnKind::deterministic);
+         (column == nullptr || column->kind != ColumnKind::measured);
 }
 
 // Less is better.

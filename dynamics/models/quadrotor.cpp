@@ -173,6 +173,12 @@ Command Quadrotor::hold() const {
   return {{hover_rad_s_, hover_rad_s_, hover_rad_s_, hover_rad_s_}};
 }
 
+double Quadrotor::power_w(const VehicleState& state) const {
+  double cubes = 0;
+  for (const double w : state.actuators) cubes += w * w * w;
+  return config_.drag_factor_N_m_s2 * cubes;
+}
+
 VehicleState Quadrotor::step(const VehicleState& state, const Command& command,
                              double period_s) const {
   RotorSpeeds speeds;

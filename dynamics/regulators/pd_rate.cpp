@@ -18,7 +18,7 @@ constexpr double kMinCosTilt = 0.25;    // the thrust is not raised for more til
 // Bounds of VelocityResponse::error_m that tests/dynamics/velocity_response_test.cpp holds.
 constexpr double kPdRateStopErrorAtRest_m = 0.014;
 constexpr double kAgileStopError_s = 0.008;    // on the corrected inertia
-constexpr double kSluggishStopError_s = 0.08;  // on the printed one the rotors saturate
+constexpr double kSluggishStopError_s = 0.13;  // on the printed one the rotors saturate
 
 struct HorizontalPoles {
   double velocity_rad_s, attitude_rad_s, damping;
@@ -167,6 +167,12 @@ VelocityResponse PdRate::velocity_response() const {
   response.gain_1_s2 = vehicle_.gravity_m_s2 * kappa * gains_.kd;
   response.damping_1_s = kappa * gains_.kq;
   response.push_max_m_s4 = vehicle_.gravity_m_s2 * kappa * 2 * room_rad_s;
+  // Tilted, a turn of the thrust changes its horizontal part by 1/cos^2, and the rotors turn faster
+  // by 1/sqrt(cos).
+  response.push_growth = 1.25;
+  // The latest difference of velocities is half a step old.
+  if (config_.acceleration == PdRateConfig::Acceleration::velocity_difference)
+    response.acceleration_age_s = 0.5 * period_s_;
   response.error_at_rest_m = kPdRateStopErrorAtRest_m;
   response.error_per_speed_s = vehicle_.inertia == QuadrotorConfig::InertiaSet::corrected
                                    ? kAgileStopError_s

@@ -98,7 +98,7 @@ RunRecord read_record(const sqlite::Statement& statement, const std::string& fil
 
 std::optional<Difference> first_difference(const RunRecord& a, const RunRecord& b) {
   for (const RecordColumn& column : record_columns()) {
-    if (column.kind != ColumnKind::deterministic) continue;
+    if (column.kind == ColumnKind::measured) continue;
     const std::string text_a = cell_text(a, column);
     const std::string text_b = cell_text(b, column);
     if (text_a != text_b) return Difference{std::string(column.name), text_a, text_b};

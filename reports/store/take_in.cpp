@@ -30,7 +30,7 @@ class Attached {
 std::optional<std::string> contradicted_trial(const sqlite::Database& database) {
   std::string unlike;
   for (const RecordColumn& column : record_columns())
-    if (column.kind == ColumnKind::deterministic) {
+    if (column.kind != ColumnKind::measured) {
       const std::string name(column.name);
       unlike += (unlike.empty() ? "a." : " OR a.") + name + " IS NOT b." + name;
     }

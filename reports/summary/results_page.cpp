@@ -31,9 +31,9 @@ std::string columns() {
   for (const RecordColumn& column : record_columns())
     table.rows.push_back({std::string(column.name), or_dash(column.unit), std::string(column.about),
                           std::string(words(column.trials)),
-                          column.kind == ColumnKind::measured   ? "yes"
-                          : column.kind == ColumnKind::of_world ? "no; of the world"
-                                                                : "no"});
+                          column.kind == ColumnKind::measured     ? "yes"
+                          : column.kind == ColumnKind::repeatable ? "no; not in the digest"
+                                                                  : "no"});
   return table.markdown();
 }
 

@@ -49,6 +49,8 @@ const Statistic kStatistics[] = {
     {"clearance_smallest_m", moved, smallest, &R::clearance_smallest_m, more, 3, "clearance", kText | kPage | kEvidence},
     {"clearance_median_m", moved, median, &R::clearance_smallest_m, more, 3, "clearance", kPage | kSweep, "How close do they come?"},
     {"speed_mean_median_m_s", moved, median, &R::speed_mean_m_s, more, 2, "mean speed", kText | kPage | kSweep, "How fast do they fly?"},
+    {"tracking_error_rms_median_m", moved, median, &R::tracking_error_rms_m, less, 3, "tracking error", kPage},
+    {"energy_median_j", goal_reached, median, &R::energy_j, less, 0, "energy", kPage},
     {"replans_median", all, median, &R::replans, neither, 0, "replans", kPage},
     {"state_checks_median", all, median, &R::state_checks, less, 0, "state checks", kPage | kSweep | kComparison, "How much work is it?", Axis::logarithmic},
     {"planning_time_us_median", moved, median, &R::planning_time_us_mean, less, 1, "planning per scan", kEverywhere, "What does planning cost?", Axis::logarithmic},

@@ -47,6 +47,7 @@ TEST_P(StableRegulatorConformance, KeepsTheLimits) {
     EXPECT_LT(s.v_world.head<2>().norm(), 1.005 * spec_.limits.max_speed_m_s);
     EXPECT_LT(std::abs(s.w_body.z()), spec_.limits.max_yaw_rate_rad_s + 0.3);
     EXPECT_LT(std::abs(s.v_world.z()), 1.15);
+    largest_tilt_rad = std::max(largest_tilt_rad, tilt_rad(s));
     acceleration_m_s2 = std::max(acceleration_m_s2,
                                  (s.v_world - states[i - 1].v_world).head<2>().norm() / kPeriod_s);
   }

@@ -58,8 +58,8 @@ TEST(Catalog, TellsWhatACartCannotDo) {
 
 TEST(Catalog, NamesEveryEntryOnceInAlphabeticalOrder) {
   EXPECT_THAT(vehicle_names(), ElementsAre("cart", "ideal", "quadrotor", "quadrotor_props"));
-  EXPECT_THAT(regulator_names(),
-              ElementsAre("ideal", "paper_literal", "pd_rate", "position_trajectory"));
+  EXPECT_THAT(regulator_names(), ElementsAre("cascade_pid", "ideal", "lqr", "paper_literal",
+                                             "pd_rate", "position_trajectory", "se3"));
 }
 
 TEST(Catalog, ListsTheKnownNamesWhenOneIsUnknown) {

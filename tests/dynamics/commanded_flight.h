@@ -15,16 +15,18 @@ namespace voronaut::testing {
 // likes.
 class CommandedFlight {
  public:
-  CommandedFlight(VehicleSpec spec, const RegulatorConfig& config, unsigned seed)
+  CommandedFlight(VehicleSpec spec, const RegulatorConfig& config, unsigned seed,
+                  double period_s = kPeriod_s)
       : spec_(std::move(spec)),
         config_(config),
+        period_s_(period_s),
         model_(make_model(spec_.model)),
-        response_(velocity_response(config, spec_, kPeriod_s)),
+        response_(velocity_response(config, spec_, period_s)),
         random_(seed) {}
 
   // Begins anew, at rest.
   void begin() {
-    regulator_ = make_regulator(config_, spec_, kPeriod_s);
+    regulator_ = make_regulator(config_, spec_, period_s_);
     state_ = model_->at_rest({0, 0, 1}, {1, 0});
     regulator_->reset(state_);
     pending_ = model_->hold();
@@ -38,12 +40,12 @@ class CommandedFlight {
     if (turns_on_) setpoint.heading_world = state_.heading_world();
     setpoint.yaw_rate_rad_s = yaw_rate_rad_s;
     const Command next = regulator_->regulate(setpoint, state_);
-    state_ = model_->step(state_, pending_, kPeriod_s);
+    state_ = model_->step(state_, pending_, period_s_);
     pending_ = next;
   }
   void fly(const Eigen::Vector2d& v_command_m_s, double duration_s) {
     if (!turns_on_) yaw_rate_rad_s_ = uniform(-2, 2);
-    const long steps = std::lround(duration_s / kPeriod_s);
+    const long steps = std::lround(duration_s / period_s_);
     for (long i = 0; i < steps; ++i) step(v_command_m_s, yaw_rate_rad_s_);
   }
 
@@ -56,6 +58,7 @@ class CommandedFlight {
   }
 
   const VehicleSpec& spec() const { return spec_; }
+  double period_s() const { return period_s_; }
   const VehicleState& state() const { return state_; }
   const VelocityResponse& response() const { return response_; }
   PlanarMotion motion() const { return response_.motion_of(state_); }
@@ -63,6 +66,7 @@ class CommandedFlight {
  private:
   VehicleSpec spec_;
   RegulatorConfig config_;
+  double period_s_;
   std::unique_ptr<Model> model_;
   VelocityResponse response_;
   std::mt19937 random_;

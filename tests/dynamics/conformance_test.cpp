@@ -1,5 +1,8 @@
+#include <set>
 #include <string>
+#include <vector>
 
+#include "voronaut/tests/conformance/hard_pressed_regulator_conformance.h"
 #include "voronaut/tests/conformance/model_conformance.h"
 #include "voronaut/tests/conformance/regulator_conformance.h"
 #include "voronaut/tests/conformance/stable_regulator_conformance.h"
@@ -7,8 +10,9 @@
 namespace voronaut::testing {
 namespace {
 
-const RegulatorPair kHovering[] = {
-    {"quadrotor", "pd_rate"}, {"quadrotor_props", "pd_rate"}, {"ideal", "ideal"}};
+const RegulatorPair kHovering[] = {{"quadrotor", "pd_rate"},       {"quadrotor", "cascade_pid"},
+                                   {"quadrotor", "se3"},           {"quadrotor", "lqr"},
+                                   {"quadrotor_props", "pd_rate"}, {"ideal", "ideal"}};
 // What hovering asks for beyond that, the cart's own test asks in its place.
 const RegulatorPair kWheeled[] = {{"cart", "position_trajectory"}};
 const RegulatorPair kUnstable[] = {{"quadrotor", "paper_literal"}};
@@ -34,6 +38,18 @@ INSTANTIATE_TEST_SUITE_P(Wheeled, StableRegulatorConformance, ::testing::ValuesI
                          pair_name);
 INSTANTIATE_TEST_SUITE_P(Hovering, HoveringRegulatorConformance, ::testing::ValuesIn(kHovering),
                          pair_name);
+INSTANTIATE_TEST_SUITE_P(Hovering, HeldBackRegulatorConformance, ::testing::ValuesIn(kHovering),
+                         pair_name);
+
+// Whoever adds a regulator finds here that it passes nothing yet.
+TEST(Conformance, NamesEveryRegulatorOfTheCatalogue) {
+  std::set<std::string> named;
+  for (const RegulatorPair& pair : kHovering) named.insert(pair.regulator);
+  for (const RegulatorPair& pair : kWheeled) named.insert(pair.regulator);
+  for (const RegulatorPair& pair : kUnstable) named.insert(pair.regulator);
+  const std::vector<std::string> all = regulator_names();
+  EXPECT_EQ(named, std::set<std::string>(all.begin(), all.end()));
+}
 
 }  // namespace
 }  // namespace voronaut::testing

@@ -40,12 +40,13 @@ double distance_m(const Vector2d& p, const std::vector<Vector2d>& track) {
 // strays from it.
 double error_m(CommandedFlight& flight, const Vector2d& before, const Vector2d& command) {
   std::vector<Vector2d> track;
-  flight.response().predict_stop(flight.motion(), before, command, kHold_s, kPeriod_s, track);
+  const double period_s = flight.period_s();
+  flight.response().predict_stop(flight.motion(), before, command, kHold_s, period_s, track);
   const double yaw_rate_rad_s = flight.uniform(-2, 2);
   double largest = 0;
-  for (int i = 0; i < 400; ++i) {
+  for (int i = 0; i * period_s < 4; ++i) {
     largest = std::max(largest, distance_m(flight.motion().p_m, track));
-    const bool holding = i * kPeriod_s < kHold_s - 1e-9;
+    const bool holding = i * period_s < kHold_s - 1e-9;
     flight.step(holding ? command : Vector2d(0, 0), yaw_rate_rad_s);
   }
   return largest;
@@ -74,6 +75,40 @@ double largest_share(CommandedFlight flight, int stops) {
   return largest;
 }
 
+// The same under commands as the governor gives them, v + 1.6 (wanted - v) with levels of speed
+// that change from one hold to the next: harsher than what random ones come to.
+double largest_governed_share(CommandedFlight flight, int stops) {
+  constexpr double kLead = 1.6;
+  constexpr double kScales[] = {0, 0.05, 0.12, 0.25, 0.4, 0.6, 0.8, 1};
+  const auto wanted_velocity = [&]() -> Vector2d {
+    return flight.uniform(0.3, flight.spec().limits.max_speed_m_s) * flight.direction();
+  };
+  double largest = 0;
+  for (; stops > 0; --stops) {
+    flight.begin();
+    Vector2d before(0, 0);
+    Vector2d wanted = wanted_velocity();
+    int level = 7;
+    const int holds = static_cast<int>(flight.uniform(5, 100));
+    for (int hold = 0; hold <= holds; ++hold) {
+      if (flight.uniform(0, 1) < 0.1) wanted = wanted_velocity();
+      if (flight.uniform(0, 1) < 0.5)
+        level = std::clamp(level + static_cast<int>(flight.uniform(-2.99, 2.99)), 0, 7);
+      const Vector2d v = flight.motion().v_m_s;
+      const Vector2d allowed = kScales[level] * wanted;
+      const Vector2d command = level == 0 ? Vector2d(0, 0) : Vector2d(v + kLead * (allowed - v));
+      if (hold < holds) {
+        flight.fly(command, kHold_s);
+        before = command;
+      } else {
+        const double promised = flight.response().error_m(flight.motion(), allowed);
+        largest = std::max(largest, error_m(flight, before, command) / promised);
+      }
+    }
+  }
+  return largest;
+}
+
 TEST(VelocityResponse, PredictsTheStopsOfTheIdealVehicleWithinItsError) {
   const double share = largest_share({find_vehicle("ideal"), find_regulator("ideal"), 1}, 3000);
   RecordProperty("share", std::to_string(share));
@@ -94,10 +129,49 @@ TEST(VelocityResponse, PredictsTheStopsOfThePrintedInertiaWithinItsError) {
   EXPECT_LE(share, 1);
 }
 
+// On both sets of inertia.
+void expect_kept(const std::string& regulator, double period_s, int stops, unsigned seed) {
+  for (const VehicleSpec& vehicle :
+       {find_vehicle("quadrotor"), testing::quadrotor_with_printed_inertia()}) {
+    const double share =
+        largest_share({vehicle, find_regulator(regulator), ++seed, period_s}, stops);
+    const double governed =
+        largest_governed_share({vehicle, find_regulator(regulator), seed, period_s}, stops);
+    ::testing::Test::RecordProperty(regulator + std::to_string(seed),
+                                    std::to_string(share) + " " + std::to_string(governed));
+    EXPECT_LE(governed, 1) << regulator << " governed, at " << period_s << " s, seed " << seed;
+    EXPECT_LE(share, 1) << regulator << " at " << period_s << " s, seed " << seed;
+  }
+}
+
+TEST(VelocityResponse, PredictsTheStopsOfEveryRegulatorOfTheQuadrotorWithinItsError) {
+  for (const char* regulator : {"pd_rate", "cascade_pid", "se3", "lqr"})
+    expect_kept(regulator, kPeriod_s, 2000, 10);
+}
+
+TEST(VelocityResponse, PredictsTheStopsAtOtherPeriodsWithinItsError) {
+  for (const char* regulator : {"pd_rate", "cascade_pid", "se3", "lqr"}) {
+    expect_kept(regulator, 0.005, 600, 20);
+    expect_kept(regulator, 0.02, 600, 30);
+  }
+}
+
+TEST(VelocityResponse, PredictsTheStopsOfARegulatorThatReadsTheTiltWithinItsError) {
+  PdRateConfig config;
+  config.acceleration = PdRateConfig::Acceleration::attitude;
+  EXPECT_LE(largest_share({find_vehicle("quadrotor"), config, 40}, 3000), 1);
+}
+
 TEST(VelocityResponse, PromisesNoStopForTheUnstableLiteralLaw) {
   EXPECT_THROW(
       velocity_response(find_regulator("paper_literal"), find_vehicle("quadrotor"), kPeriod_s),
       std::invalid_argument);
+}
+
+TEST(VelocityResponse, PromisesNoStopAtPeriodsAtWhichNobodyFlewThem) {
+  const VehicleSpec vehicle = find_vehicle("quadrotor");
+  EXPECT_NO_THROW(velocity_response(find_regulator("pd_rate"), vehicle, 0.02));
+  EXPECT_THROW(velocity_response(find_regulator("pd_rate"), vehicle, 0.021), std::invalid_argument);
 }
 
 TEST(VelocityResponse, PromisesNoStopForAVehicleThatCannotMoveSideways) {

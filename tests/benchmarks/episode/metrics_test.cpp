@@ -1,6 +1,11 @@
 #include "voronaut/benchmarks/episode/metrics.h"
 
+#include <cmath>
+
 #include <gtest/gtest.h>
+
+#include "voronaut/dynamics/models/ideal.h"
+#include "voronaut/dynamics/models/quadrotor.h"
 
 namespace voronaut {
 namespace {
@@ -44,6 +49,30 @@ TEST(Metrics, MeanSpeedCountsFromDeparture) {
   EXPECT_DOUBLE_EQ(speed_mean_m_s(kCorner, 1), 6.0 / 3.0);
   EXPECT_DOUBLE_EQ(speed_mean_m_s(kCorner, 4), 0.0);
   EXPECT_DOUBLE_EQ(speed_max_m_s(kCorner), 2.0);
+}
+
+TEST(Metrics, TrackingErrorIsOverTheScansThatFollowAPath) {
+  std::vector<ScanEvent> scans(4);
+  scans[1].path_distance_m = 0.3;
+  scans[3].path_distance_m = 0.1;
+  EXPECT_DOUBLE_EQ(tracking_error(scans).rms_m, std::sqrt(0.05));
+  EXPECT_DOUBLE_EQ(tracking_error(scans).max_m, 0.3);
+  EXPECT_TRUE(std::isnan(tracking_error({scans.data(), 1}).rms_m));
+  EXPECT_TRUE(std::isnan(tracking_error({}).max_m));
+}
+
+TEST(Metrics, EnergyIsTheRotorsPowerOverTime) {
+  // At hover and then at twice that speed: 42.8 W, and eight times as much.
+  const Quadrotor model;
+  std::vector<Tick> ticks(3);
+  for (std::size_t i = 0; i < 3; ++i) {
+    ticks[i].t_s = 0.5 * static_cast<double>(i);
+    ticks[i].state.actuators = model.hold().u;
+  }
+  EXPECT_NEAR(energy_j(ticks, model), 42.81, 0.01);
+  for (double& w : ticks[2].state.actuators) w *= 2;
+  EXPECT_NEAR(energy_j(ticks, model), 0.5 * 9 * 42.81, 0.05);
+  EXPECT_TRUE(std::isnan(energy_j(ticks, Ideal(IdealConfig{}))));
 }
 
 TEST(Metrics, SplIsZeroForAFailureAndNeverAboveOne) {

@@ -58,7 +58,7 @@ TEST(ReportData, MatchesTheGoldenText) {
       R"("summary":{"groups":[],"pairings":[],"totals":[]},"title":"golden","traces":{"t1":"//4="},)"
       R"("trials":{"budget_stops":{"index":[0],"texts":["0"]},"clearance_mean_m":[null],)"
       R"("clearance_smallest_m":[0.51],"cpu_time_s":[null],"duration_s":[0.3],"end_x_m":[null],)"
-      R"("end_y_m":[null],"free_share":[null],"map_obstacles":{"index":[0],"texts":["0"]},"map_points":{"index":[0],)"
+      R"("end_y_m":[null],"energy_j":[null],"free_share":[null],"map_obstacles":{"index":[0],"texts":["0"]},"map_points":{"index":[0],)"
       R"("texts":["0"]},"mapping_time_us_mean":[null],"mapping_time_us_p99":[null],)"
       R"("memory_max_mb":[null],"modes":{"index":[0],"texts":["none left"]},"narrowest_passage_m":[null],"outcome":{"index":[0],)"
       R"("texts":["goal_reached"]},"path_length_m":[15.25],"path_ratio":[1.073944],)"
@@ -74,7 +74,7 @@ TEST(ReportData, MatchesTheGoldenText) {
       R"("stops_iterations":{"index":[0],"texts":["0"]},)"
       R"("stops_ptc_evaluations":{"index":[0],"texts":["0"]},)"
       R"("stops_state_checks":{"index":[0],"texts":["0"]},)"
-      R"("stops_wall_clock":{"index":[0],"texts":["0"]},"suite":{"index":[0],"texts":["synthetic"]},"trial_id":{"index":[0],)"
+      R"("stops_wall_clock":{"index":[0],"texts":["0"]},"suite":{"index":[0],"texts":["synthetic"]},"tracking_error_max_m":[null],"tracking_error_rms_m":[null],"trial_id":{"index":[0],)"
       R"("texts":["t1"]},"vehicle":{"index":[0],"texts":["quadrotor"]},"world_id":{"index":[0],)"
       R"("texts":["w0"]}},"worlds":[]})");
 }

@@ -33,6 +33,8 @@ std::vector<RunRecord> records() {
     r.state_checks = 100 * static_cast<std::int64_t>(i);
     r.planning_time_us_mean = 10 * at;
     r.step_time_us_mean = 100 * at;
+    r.tracking_error_rms_m = 0.1 * at;
+    r.energy_j = 1000 * at;
   }
   list[3].outcome = Outcome::collision;
   list[3].barn_score = 0;
@@ -69,6 +71,8 @@ TEST(Statistics, EveryOneEqualsWhatIsWorkedOutByHand) {
       {"clearance_smallest_m", {0.25, 4}},
       {"clearance_median_m", {0.55, 4}},  // of 0.25, 0.5, 0.6, 0.7
       {"speed_mean_median_m_s", {2.5, 4}},
+      {"tracking_error_rms_median_m", {0.15, 4}},
+      {"energy_median_j", {1000, 3}},
       {"replans_median", {1, 5}},  // of 0, 0, 1, 2, 3
       {"state_checks_median", {100, 5}},
       {"planning_time_us_median", {15, 4}},
