@@ -1,0 +1,220 @@
+#include "voronaut/planners/mapping/free_space/star_raster.h"
+
+#include <algorithm>
+
+namespace voronaut {
+
+using row_words::bits_from;
+using row_words::bits_up_to;
+using row_words::floor_of;
+using row_words::word_of;
+
+namespace {
+
+constexpr std::size_t kWordsAtOnce = 1 << 16;  // a megabyte
+
+// Adds what the outline encloses in one column of words to `known`, leaving zeros behind.
+void merge(std::uint64_t* __restrict inside, std::uint64_t* __restrict touched,
+           std::uint64_t* __restrict carry, std::uint64_t* __restrict known, std::size_t rows) {
+  for (std::size_t i = 0; i < rows; ++i) {
+    const std::uint64_t within = inside[i] ^ carry[i];
+    carry[i] = 0 - (within >> (row_words::kBits - 1));
+    known[i] |= within & ~touched[i];
+    inside[i] = touched[i] = 0;
+  }
+}
+
+}  // namespace
+
+struct StarRaster::Corner {
+  double x, y;
+  int column, row;
+  bool upper;  // beyond the middle of its row
+
+  template <Place place>
+  static Corner of(const Vec2& p) {
+    Corner c{p.x(), p.y(), 0, 0, false};
+    c.column = place == Place::within ? static_cast<int>(c.x) : floor_of(c.x);
+    c.row = place == Place::within ? static_cast<int>(c.y) : floor_of(c.y);
+    c.upper = c.y > c.row + 0.5;
+    return c;
+  }
+};
+
+void StarRaster::fill(const ScanStar& star, int columns, int rows, BitTiles& bits) {
+  // Places on an edge are rounded: they may leave its box by one column.
+  const int low_column = floor_of(star.low().x()) - 1, high_column = floor_of(star.high().x()) + 1;
+  const int low_row = floor_of(star.low().y()), high_row = floor_of(star.high().y());
+  first_word_ = word_of(std::max(0, low_column));
+  words_ = word_of(std::min(columns - 1, high_column)) - first_word_ + 1;
+  first_row_ = std::max(0, low_row);
+  const int end_row = std::min(rows - 1, high_row) + 1;
+  if (words_ <= 0) return;
+  const int rows_at_once =
+      static_cast<int>(std::max<std::size_t>(1, kWordsAtOnce / static_cast<std::size_t>(words_)));
+  const bool within = low_column >= 0 && low_row >= 0 && high_column < columns && high_row < rows &&
+                      end_row - first_row_ <= rows_at_once;
+  for (; first_row_ < end_row; first_row_ += rows_at_once) {
+    rows_ = static_cast<std::size_t>(std::min(rows_at_once, end_row - first_row_));
+    fill_window(star, within ? Place::within : Place::across, columns, bits);
+  }
+}
+
+void StarRaster::fill_window(const ScanStar& star, Place place, int columns, BitTiles& bits) {
+  const std::size_t size = rows_ * static_cast<std::size_t>(words_);
+  if (inside_.size() < size) {
+    inside_.resize(size);
+    touched_.resize(size);
+  }
+  if (place == Place::within) {
+    draw<Place::within>(star);
+  } else {
+    draw<Place::across>(star);
+    end_at_column(columns);
+  }
+  commit(bits);
+}
+
+// Marks a row from where an edge enters it, in the word at index `at`, to a column in another word,
+// whose index is returned.
+std::size_t StarRaster::mark_words(std::size_t at, int word, int column, std::uint64_t entry) {
+  const int last = word_of(column);
+  if (word < last) {
+    touched_[at] |= entry;
+    for (at += rows_; ++word < last; at += rows_) touched_[at] = ~0ULL;
+    touched_[at] |= bits_up_to(column);
+  } else {
+    touched_[at] |= ~(entry << 1);
+    for (at -= rows_; --word > last; at -= rows_) touched_[at] = ~0ULL;
+    touched_[at] |= bits_from(column);
+  }
+  return at;
+}
+
+// The outline runs through these columns of a row and, if it crosses the row, passes its middle in
+// one of them. Which one makes no difference to the cells that it does not run through.
+inline void StarRaster::mark(int row, int from, int to, bool crosses) {
+  const std::size_t at = index(word_of(from), row);
+  const std::uint64_t columns = bits_from(from);
+  if (crosses) inside_[at] ^= columns;
+  if (word_of(from) == word_of(to)) {
+    touched_[at] |= columns & bits_up_to(to);
+  } else {
+    mark_words(at, word_of(from), to, columns);
+  }
+}
+
+void StarRaster::mark_clipped(int row, int from, int to, bool crosses) {
+  if (row < first_row_ || row >= first_row_ + static_cast<int>(rows_) || from > last_column())
+    return;
+  if (to >= first_column())
+    return mark(row, std::max(from, first_column()), std::min(to, last_column()), crosses);
+  if (crosses) inside_[index(first_word_, row)] ^= ~0ULL;
+}
+
+// Marks an edge from row to row, all of it in the window.
+inline void StarRaster::climb(const Corner& low, const Corner& high) {
+  std::uint64_t* const inside = inside_.data();
+  std::uint64_t* const touched = touched_.data();
+  const double low_x = low.x, low_y = low.y;
+  const double slope = (high.x - low_x) / (high.y - low_y);  // columns per row
+  const bool rightwards = slope >= 0;
+  int word = word_of(low.column);
+  std::size_t at = index(word, low.row);
+  std::size_t last = at + static_cast<std::size_t>(high.row - low.row);
+  std::uint64_t entry = bits_from(low.column);
+  std::uint64_t crossing = low.upper ? 0 : entry;
+  for (double y = low.row + 1; at != last; ++y, ++at) {
+    const int column = static_cast<int>(low_x + (y - low_y) * slope);
+    const std::uint64_t exit = bits_from(column);
+    inside[at] ^= crossing;
+    if (word_of(column) == word) {
+      touched[at] |= rightwards ? entry ^ exit << 1 : exit ^ entry << 1;
+    } else {
+      const std::size_t there = mark_words(at, word, column, entry);
+      last += there - at;
+      at = there;
+      word = word_of(column);
+    }
+    crossing = entry = exit;
+  }
+  // Where it ends is given: what was computed before may lie on either side of that.
+  const std::uint64_t end = bits_from(high.column);
+  if (word_of(high.column) == word) {
+    touched[at] |= std::max(entry, end) ^ std::min(entry, end) << 1;
+  } else {
+    mark_words(at, word, high.column, entry);
+  }
+  if (high.upper) inside[at] ^= entry;
+}
+
+// The cell of `from` is marked already.
+template <StarRaster::Place place>
+inline void StarRaster::draw_edge(const Corner& from, const Corner& to) {
+  if (from.row == to.row) {
+    const bool crosses = from.upper != to.upper;
+    if (from.column == to.column && !crosses) return;  // most edges are shorter than a cell
+    const int left = std::min(from.column, to.column), right = std::max(from.column, to.column);
+    if (place == Place::within) return mark(from.row, left, right, crosses);
+    return mark_clipped(from.row, left, right, crosses);
+  }
+  const bool rising = from.row < to.row;
+  const Corner &low = rising ? from : to, &high = rising ? to : from;
+  if (place == Place::within) return climb(low, high);
+  const auto in_window = [this](const Corner& c) {
+    return c.row >= first_row_ && c.row < first_row_ + static_cast<int>(rows_) &&
+           c.column > first_column() && c.column < last_column();
+  };
+  in_window(from) && in_window(to) ? climb(low, high) : climb_across(low, high);
+}
+
+template <StarRaster::Place place>
+void StarRaster::draw(const ScanStar& star) {
+  Corner before = Corner::of<place>(star.corners().back());
+  mark_clipped(before.row, before.column, before.column, false);
+  for (const Vec2& p : star.corners()) {
+    const Corner corner = Corner::of<place>(p);
+    draw_edge<place>(before, corner);
+    before = corner;
+  }
+}
+
+// The same, of an edge that may leave the window.
+void StarRaster::climb_across(const Corner& low, const Corner& high) {
+  const double slope = (high.x - low.x) / (high.y - low.y);
+  const auto column_at = [&](int y) { return floor_of(low.x + (y - low.y) * slope); };
+  const int first = std::max(low.row, first_row_);
+  const int last = std::min(high.row, first_row_ + static_cast<int>(rows_) - 1);
+  int before = first == low.row ? low.column : column_at(first);
+  for (int row = first; row <= last; ++row) {
+    const int column = row < high.row ? column_at(row + 1) : high.column;
+    const bool crosses = (row > low.row || !low.upper) && (row < high.row || high.upper);
+    mark_clipped(row, std::min(before, column), std::max(before, column), crosses);
+    before = column;
+  }
+}
+
+// Whatever lies behind the last column counts as touched.
+void StarRaster::end_at_column(int columns) {
+  const int last = columns - 1;
+  if (word_of(last) != first_word_ + words_ - 1) return;
+  const std::size_t at = index(word_of(last), first_row_);
+  for (std::size_t i = 0; i < rows_; ++i) touched_[at + i] |= ~bits_up_to(last);
+}
+
+void StarRaster::commit(BitTiles& bits) {
+  for (std::size_t done = 0; done < rows_;) {
+    const int row = first_row_ + static_cast<int>(done);
+    const auto row_in_tile = static_cast<std::size_t>(row % BitTiles::kSide);
+    const std::size_t rows = std::min(rows_ - done, BitTiles::kSide - row_in_tile);
+    bits.row_to_write(word_of(row), first_word_, words_, tiles_);
+    carry_.assign(BitTiles::kSide, 0);
+    for (std::size_t w = 0; w < tiles_.size(); ++w) {
+      const std::size_t at = w * rows_ + done;
+      merge(&inside_[at], &touched_[at], carry_.data(), tiles_[w]->data() + row_in_tile, rows);
+    }
+    done += rows;
+  }
+}
+
+}  // namespace voronaut

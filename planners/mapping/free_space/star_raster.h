@@ -1,0 +1,58 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "voronaut/planners/mapping/free_space/bit_tiles.h"
+#include "voronaut/planners/mapping/free_space/row_words.h"
+#include "voronaut/planners/mapping/free_space/scan_star.h"
+
+namespace voronaut {
+
+// Sets the bits of the cells that lie wholly within a star: those whose row its outline has entered
+// and not left again, and that the outline does not run through.
+class StarRaster {
+ public:
+  // Cells from (0, 0) to (columns - 1, rows - 1) are set, no others. O(corners + rows that edges
+  // cross + words of the box around the star); no allocation in steady state.
+  void fill(const ScanStar& star, int columns, int rows, BitTiles& bits);
+
+ private:
+  struct Corner;
+  // Of the star: its box lies within the window and is nowhere negative, or perhaps not.
+  enum class Place { within, across };
+
+  void fill_window(const ScanStar& star, Place place, int columns, BitTiles& bits);
+  template <Place place>
+  void draw(const ScanStar& star);
+  template <Place place>
+  void draw_edge(const Corner& from, const Corner& to);
+  void climb(const Corner& low, const Corner& high);
+  void climb_across(const Corner& low, const Corner& high);
+  std::size_t mark_words(std::size_t at, int word, int column, std::uint64_t entry);
+  void mark(int row, int from, int to, bool crosses);
+  void mark_clipped(int row, int from, int to, bool crosses);
+  void end_at_column(int columns);
+  void commit(BitTiles& bits);
+
+  int first_column() const { return first_word_ * row_words::kBits; }
+  int last_column() const { return (first_word_ + words_) * row_words::kBits - 1; }
+  std::size_t index(int word, int row) const {
+    return static_cast<std::size_t>(word - first_word_) * rows_ +
+           static_cast<std::size_t>(row - first_row_);
+  }
+
+  // The window: whole words of cells, one column of words after the other.
+  int first_row_ = 0, first_word_ = 0;
+  int words_ = 0;
+  std::size_t rows_ = 0;
+  // All zeros between two stars.
+  std::vector<std::uint64_t>
+      inside_;  // flipped from where the outline crosses a row to the word's end
+  std::vector<std::uint64_t> touched_;  // cells that the outline runs through
+  std::vector<std::uint64_t> carry_;    // scratch, by row: all ones while inside
+  std::vector<BitTiles::Tile*> tiles_;  // scratch
+};
+
+}  // namespace voronaut
