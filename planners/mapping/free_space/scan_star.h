@@ -11,21 +11,32 @@ namespace voronaut {
 // long as the shorter of its two beams. Kept as the closed outline of that union.
 class ScanStar {
  public:
+  struct Corner {
+    double x, y;      // in cells
+    int column, row;  // of its cell
+    bool upper;       // beyond the middle of its row
+  };
+  struct Box {
+    int low_column, high_column, low_row, high_row;
+  };
+
   // `sensor` is the place of the range finder in cells, whose sides are cell_m. Two beams or more.
   // O(beams), no allocation in steady state.
   void trace(const Scan& scan, const Vec2& sensor, double cell_m);
 
-  // Counter-clockwise, in cells; the last corner leads back to the first.
-  std::span<const Vec2> corners() const { return {corners_.data(), count_}; }
-  const Vec2& low() const { return low_; }  // of the box around all corners
-  const Vec2& high() const { return high_; }
+  // Counter-clockwise and closed: the first corner is the last one, too.
+  std::span<const Corner> corners() const { return {corners_.data(), count_}; }
+  const Box& box() const { return box_; }  // of their cells
 
  private:
-  void measure(const Vec2& sensor);
+  class Pen;
+  template <bool full>
+  static void draw(const Scan& scan, double cell_m, Pen& pen);
+  void round_down();
 
-  std::vector<Vec2> corners_;  // the first count_; the others are room
+  std::vector<Corner> corners_;  // the first count_; the others are room
   std::size_t count_ = 0;
-  Vec2 low_, high_;
+  Box box_{};
 };
 
 }  // namespace voronaut

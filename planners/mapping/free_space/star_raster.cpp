@@ -26,50 +26,38 @@ void merge(std::uint64_t* __restrict inside, std::uint64_t* __restrict touched,
 
 }  // namespace
 
-struct StarRaster::Corner {
-  double x, y;
-  int column, row;
-  bool upper;  // beyond the middle of its row
-
-  template <Place place>
-  static Corner of(const Vec2& p) {
-    Corner c{p.x(), p.y(), 0, 0, false};
-    c.column = place == Place::within ? static_cast<int>(c.x) : floor_of(c.x);
-    c.row = place == Place::within ? static_cast<int>(c.y) : floor_of(c.y);
-    c.upper = c.y > c.row + 0.5;
-    return c;
-  }
-};
-
 void StarRaster::fill(const ScanStar& star, int columns, int rows, BitTiles& bits) {
-  // Places on an edge are rounded: they may leave its box by one column.
-  const int low_column = floor_of(star.low().x()) - 1, high_column = floor_of(star.high().x()) + 1;
-  const int low_row = floor_of(star.low().y()), high_row = floor_of(star.high().y());
+  const ScanStar::Box& box = star.box();
+  // Places on an edge are rounded: they may leave the box of its ends by one column.
+  const int low_column = box.low_column - 1, high_column = box.high_column + 1;
   first_word_ = word_of(std::max(0, low_column));
   words_ = word_of(std::min(columns - 1, high_column)) - first_word_ + 1;
-  first_row_ = std::max(0, low_row);
-  const int end_row = std::min(rows - 1, high_row) + 1;
+  first_row_ = std::max(0, box.low_row);
+  const int end_row = std::min(rows - 1, box.high_row) + 1;
   if (words_ <= 0) return;
   const int rows_at_once =
       static_cast<int>(std::max<std::size_t>(1, kWordsAtOnce / static_cast<std::size_t>(words_)));
-  const bool within = low_column >= 0 && low_row >= 0 && high_column < columns && high_row < rows &&
-                      end_row - first_row_ <= rows_at_once;
+  const bool all_inside = low_column >= 0 && box.low_row >= 0 && high_column < columns &&
+                          box.high_row < rows && end_row - first_row_ <= rows_at_once;
   for (; first_row_ < end_row; first_row_ += rows_at_once) {
     rows_ = static_cast<std::size_t>(std::min(rows_at_once, end_row - first_row_));
-    fill_window(star, within ? Place::within : Place::across, columns, bits);
+    fill_window(star.corners(), all_inside, columns, bits);
   }
 }
 
-void StarRaster::fill_window(const ScanStar& star, Place place, int columns, BitTiles& bits) {
+void StarRaster::fill_window(std::span<const Corner> corners, bool all_inside, int columns,
+                             BitTiles& bits) {
   const std::size_t size = rows_ * static_cast<std::size_t>(words_);
   if (inside_.size() < size) {
     inside_.resize(size);
     touched_.resize(size);
   }
-  if (place == Place::within) {
-    draw<Place::within>(star);
+  const Corner& first = corners.front();
+  mark_clipped(first.row, first.column, first.column, false);
+  if (all_inside) {
+    for (std::size_t i = 1; i < corners.size(); ++i) draw_edge(corners[i - 1], corners[i]);
   } else {
-    draw<Place::across>(star);
+    for (std::size_t i = 1; i < corners.size(); ++i) draw_clipped(corners[i - 1], corners[i]);
     end_at_column(columns);
   }
   commit(bits);
@@ -113,7 +101,7 @@ void StarRaster::mark_clipped(int row, int from, int to, bool crosses) {
 }
 
 // Marks an edge from row to row, all of it in the window.
-inline void StarRaster::climb(const Corner& low, const Corner& high) {
+[[gnu::always_inline]] inline void StarRaster::climb(const Corner& low, const Corner& high) {
   std::uint64_t* const inside = inside_.data();
   std::uint64_t* const touched = touched_.data();
   const double low_x = low.x, low_y = low.y;
@@ -123,11 +111,10 @@ inline void StarRaster::climb(const Corner& low, const Corner& high) {
   std::size_t at = index(word, low.row);
   std::size_t last = at + static_cast<std::size_t>(high.row - low.row);
   std::uint64_t entry = bits_from(low.column);
-  std::uint64_t crossing = low.upper ? 0 : entry;
-  for (double y = low.row + 1; at != last; ++y, ++at) {
+  if (!low.upper) inside[at] ^= entry;
+  for (double y = low.row + 1; at != last; ++y) {
     const int column = static_cast<int>(low_x + (y - low_y) * slope);
     const std::uint64_t exit = bits_from(column);
-    inside[at] ^= crossing;
     if (word_of(column) == word) {
       touched[at] |= rightwards ? entry ^ exit << 1 : exit ^ entry << 1;
     } else {
@@ -136,8 +123,10 @@ inline void StarRaster::climb(const Corner& low, const Corner& high) {
       at = there;
       word = word_of(column);
     }
-    crossing = entry = exit;
+    inside[++at] ^= exit;
+    entry = exit;
   }
+  if (!high.upper) inside[at] ^= entry;
   // Where it ends is given: what was computed before may lie on either side of that.
   const std::uint64_t end = bits_from(high.column);
   if (word_of(high.column) == word) {
@@ -145,42 +134,36 @@ inline void StarRaster::climb(const Corner& low, const Corner& high) {
   } else {
     mark_words(at, word, high.column, entry);
   }
-  if (high.upper) inside[at] ^= entry;
 }
 
 // The cell of `from` is marked already.
-template <StarRaster::Place place>
-inline void StarRaster::draw_edge(const Corner& from, const Corner& to) {
-  if (from.row == to.row) {
-    const bool crosses = from.upper != to.upper;
-    if (from.column == to.column && !crosses) return;  // most edges are shorter than a cell
-    const int left = std::min(from.column, to.column), right = std::max(from.column, to.column);
-    if (place == Place::within) return mark(from.row, left, right, crosses);
-    return mark_clipped(from.row, left, right, crosses);
+[[gnu::always_inline]] inline void StarRaster::draw_edge(const Corner& from, const Corner& to) {
+  if (from.row != to.row) {
+    const bool rising = from.row < to.row;
+    return climb(rising ? from : to, rising ? to : from);
   }
-  const bool rising = from.row < to.row;
-  const Corner &low = rising ? from : to, &high = rising ? to : from;
-  if (place == Place::within) return climb(low, high);
+  const bool crosses = from.upper != to.upper;
+  if (from.column == to.column && !crosses) return;  // most edges are shorter than a cell
+  mark(from.row, std::min(from.column, to.column), std::max(from.column, to.column), crosses);
+}
+
+// The same, where an edge may leave the window.
+void StarRaster::draw_clipped(const Corner& from, const Corner& to) {
   const auto in_window = [this](const Corner& c) {
     return c.row >= first_row_ && c.row < first_row_ + static_cast<int>(rows_) &&
            c.column > first_column() && c.column < last_column();
   };
-  in_window(from) && in_window(to) ? climb(low, high) : climb_across(low, high);
-}
-
-template <StarRaster::Place place>
-void StarRaster::draw(const ScanStar& star) {
-  Corner before = Corner::of<place>(star.corners().back());
-  mark_clipped(before.row, before.column, before.column, false);
-  for (const Vec2& p : star.corners()) {
-    const Corner corner = Corner::of<place>(p);
-    draw_edge<place>(before, corner);
-    before = corner;
+  if (in_window(from) && in_window(to)) {
+    draw_edge(from, to);
+  } else if (from.row == to.row) {
+    mark_clipped(from.row, std::min(from.column, to.column), std::max(from.column, to.column),
+                 from.upper != to.upper);
+  } else {
+    from.row < to.row ? climb_clipped(from, to) : climb_clipped(to, from);
   }
 }
 
-// The same, of an edge that may leave the window.
-void StarRaster::climb_across(const Corner& low, const Corner& high) {
+void StarRaster::climb_clipped(const Corner& low, const Corner& high) {
   const double slope = (high.x - low.x) / (high.y - low.y);
   const auto column_at = [&](int y) { return floor_of(low.x + (y - low.y) * slope); };
   const int first = std::max(low.row, first_row_);

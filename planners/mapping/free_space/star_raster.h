@@ -19,17 +19,13 @@ class StarRaster {
   void fill(const ScanStar& star, int columns, int rows, BitTiles& bits);
 
  private:
-  struct Corner;
-  // Of the star: its box lies within the window and is nowhere negative, or perhaps not.
-  enum class Place { within, across };
+  using Corner = ScanStar::Corner;
 
-  void fill_window(const ScanStar& star, Place place, int columns, BitTiles& bits);
-  template <Place place>
-  void draw(const ScanStar& star);
-  template <Place place>
+  void fill_window(std::span<const Corner> corners, bool all_inside, int columns, BitTiles& bits);
   void draw_edge(const Corner& from, const Corner& to);
+  void draw_clipped(const Corner& from, const Corner& to);
   void climb(const Corner& low, const Corner& high);
-  void climb_across(const Corner& low, const Corner& high);
+  void climb_clipped(const Corner& low, const Corner& high);
   std::size_t mark_words(std::size_t at, int word, int column, std::uint64_t entry);
   void mark(int row, int from, int to, bool crosses);
   void mark_clipped(int row, int from, int to, bool crosses);
