@@ -35,8 +35,7 @@ class ScanStar::Pen {
   // A place on a beam.
   void add(double length, const Vec2& direction) {
     const double x = x_ + length * direction.x(), y = y_ + length * direction.y();
-    const int column = static_cast<int>(x), row = static_cast<int>(y);
-    *corner_++ = {x, y, column, row, y > row + 0.5};
+    *corner_++ = {x, y, static_cast<int>(x), static_cast<int>(y)};
     low_x_ = low_x_ < x ? low_x_ : x;
     low_y_ = low_y_ < y ? low_y_ : y;
     high_x_ = high_x_ > x ? high_x_ : x;
@@ -73,7 +72,6 @@ void ScanStar::round_down() {
     Corner& corner = corners_[i];
     corner.column = floor_of(corner.x);
     corner.row = floor_of(corner.y);
-    corner.upper = corner.y > corner.row + 0.5;
   }
 }
 

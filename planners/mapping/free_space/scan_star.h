@@ -14,7 +14,6 @@ class ScanStar {
   struct Corner {
     double x, y;      // in cells
     int column, row;  // of its cell
-    bool upper;       // beyond the middle of its row
   };
   struct Box {
     int low_column, high_column, low_row, high_row;

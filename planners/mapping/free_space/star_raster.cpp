@@ -53,7 +53,7 @@ void StarRaster::fill_window(std::span<const Corner> corners, bool all_inside, i
     touched_.resize(size);
   }
   const Corner& first = corners.front();
-  mark_clipped(first.row, first.column, first.column, false);
+  touch_clipped(first.row, first.column, first.column);
   if (all_inside) {
     for (std::size_t i = 1; i < corners.size(); ++i) draw_edge(corners[i - 1], corners[i]);
   } else {
@@ -63,9 +63,9 @@ void StarRaster::fill_window(std::span<const Corner> corners, bool all_inside, i
   commit(bits);
 }
 
-// Marks a row from where an edge enters it, in the word at index `at`, to a column in another word,
-// whose index is returned.
-std::size_t StarRaster::mark_words(std::size_t at, int word, int column, std::uint64_t entry) {
+// Touches a row from where an edge enters it, in the word at index `at`, to a column in another
+// word, whose index is returned.
+std::size_t StarRaster::touch_words(std::size_t at, int word, int column, std::uint64_t entry) {
   const int last = word_of(column);
   if (word < last) {
     touched_[at] |= entry;
@@ -79,28 +79,17 @@ std::size_t StarRaster::mark_words(std::size_t at, int word, int column, std::ui
   return at;
 }
 
-// The outline runs through these columns of a row and, if it crosses the row, passes its middle in
-// one of them. Which one makes no difference to the cells that it does not run through.
-inline void StarRaster::mark(int row, int from, int to, bool crosses) {
+inline void StarRaster::touch(int row, int column, int other) {
+  const int from = std::min(column, other), to = std::max(column, other);
   const std::size_t at = index(word_of(from), row);
-  const std::uint64_t columns = bits_from(from);
-  if (crosses) inside_[at] ^= columns;
   if (word_of(from) == word_of(to)) {
-    touched_[at] |= columns & bits_up_to(to);
+    touched_[at] |= bits_from(from) & bits_up_to(to);
   } else {
-    mark_words(at, word_of(from), to, columns);
+    touch_words(at, word_of(from), to, bits_from(from));
   }
 }
 
-void StarRaster::mark_clipped(int row, int from, int to, bool crosses) {
-  if (row < first_row_ || row >= first_row_ + static_cast<int>(rows_) || from > last_column())
-    return;
-  if (to >= first_column())
-    return mark(row, std::max(from, first_column()), std::min(to, last_column()), crosses);
-  if (crosses) inside_[index(first_word_, row)] ^= ~0ULL;
-}
-
-// Marks an edge from row to row, all of it in the window.
+// Draws an edge from row to row, all of it in the window.
 [[gnu::always_inline]] inline void StarRaster::climb(const Corner& low, const Corner& high) {
   std::uint64_t* const inside = inside_.data();
   std::uint64_t* const touched = touched_.data();
@@ -111,14 +100,13 @@ void StarRaster::mark_clipped(int row, int from, int to, bool crosses) {
   std::size_t at = index(word, low.row);
   std::size_t last = at + static_cast<std::size_t>(high.row - low.row);
   std::uint64_t entry = bits_from(low.column);
-  if (!low.upper) inside[at] ^= entry;
   for (double y = low.row + 1; at != last; ++y) {
     const int column = static_cast<int>(low_x + (y - low_y) * slope);
     const std::uint64_t exit = bits_from(column);
     if (word_of(column) == word) {
       touched[at] |= rightwards ? entry ^ exit << 1 : exit ^ entry << 1;
     } else {
-      const std::size_t there = mark_words(at, word, column, entry);
+      const std::size_t there = touch_words(at, word, column, entry);
       last += there - at;
       at = there;
       word = word_of(column);
@@ -126,55 +114,54 @@ void StarRaster::mark_clipped(int row, int from, int to, bool crosses) {
     inside[++at] ^= exit;
     entry = exit;
   }
-  if (!high.upper) inside[at] ^= entry;
   // Where it ends is given: what was computed before may lie on either side of that.
   const std::uint64_t end = bits_from(high.column);
   if (word_of(high.column) == word) {
     touched[at] |= std::max(entry, end) ^ std::min(entry, end) << 1;
   } else {
-    mark_words(at, word, high.column, entry);
+    touch_words(at, word, high.column, entry);
   }
 }
 
-// The cell of `from` is marked already.
+// The cell of `from` is touched already.
 [[gnu::always_inline]] inline void StarRaster::draw_edge(const Corner& from, const Corner& to) {
   if (from.row != to.row) {
     const bool rising = from.row < to.row;
-    return climb(rising ? from : to, rising ? to : from);
+    climb(rising ? from : to, rising ? to : from);
+  } else if (from.column != to.column) {  // most edges are shorter than a cell
+    touch(from.row, from.column, to.column);
   }
-  const bool crosses = from.upper != to.upper;
-  if (from.column == to.column && !crosses) return;  // most edges are shorter than a cell
-  mark(from.row, std::min(from.column, to.column), std::max(from.column, to.column), crosses);
 }
 
 // The same, where an edge may leave the window.
 void StarRaster::draw_clipped(const Corner& from, const Corner& to) {
   const auto in_window = [this](const Corner& c) {
-    return c.row >= first_row_ && c.row < first_row_ + static_cast<int>(rows_) &&
-           c.column > first_column() && c.column < last_column();
+    return c.row >= first_row_ && c.row < end_row() && c.column > first_column() &&
+           c.column < last_column();
   };
-  if (in_window(from) && in_window(to)) {
-    draw_edge(from, to);
-  } else if (from.row == to.row) {
-    mark_clipped(from.row, std::min(from.column, to.column), std::max(from.column, to.column),
-                 from.upper != to.upper);
-  } else {
-    from.row < to.row ? climb_clipped(from, to) : climb_clipped(to, from);
-  }
-}
-
-void StarRaster::climb_clipped(const Corner& low, const Corner& high) {
+  if (in_window(from) && in_window(to)) return draw_edge(from, to);
+  const bool rising = from.row <= to.row;
+  const Corner &low = rising ? from : to, &high = rising ? to : from;
   const double slope = (high.x - low.x) / (high.y - low.y);
   const auto column_at = [&](int y) { return floor_of(low.x + (y - low.y) * slope); };
   const int first = std::max(low.row, first_row_);
-  const int last = std::min(high.row, first_row_ + static_cast<int>(rows_) - 1);
-  int before = first == low.row ? low.column : column_at(first);
-  for (int row = first; row <= last; ++row) {
-    const int column = row < high.row ? column_at(row + 1) : high.column;
-    const bool crosses = (row > low.row || !low.upper) && (row < high.row || high.upper);
-    mark_clipped(row, std::min(before, column), std::max(before, column), crosses);
-    before = column;
+  int entry = first == low.row ? low.column : column_at(first);
+  for (int row = first; row < std::min(high.row + 1, end_row()); ++row) {
+    const int exit = row < high.row ? column_at(row + 1) : high.column;
+    if (row > low.row && entry <= last_column()) {
+      const int column = std::max(entry, first_column());
+      inside_[index(word_of(column), row)] ^= bits_from(column);
+    }
+    touch_clipped(row, entry, exit);
+    entry = exit;
   }
+}
+
+void StarRaster::touch_clipped(int row, int column, int other) {
+  if (row < first_row_ || row >= end_row()) return;
+  const int from = std::max(std::min(column, other), first_column());
+  const int to = std::min(std::max(column, other), last_column());
+  if (from <= to) touch(row, from, to);
 }
 
 // Whatever lies behind the last column counts as touched.
@@ -191,7 +178,7 @@ void StarRaster::commit(BitTiles& bits) {
     const auto row_in_tile = static_cast<std::size_t>(row % BitTiles::kSide);
     const std::size_t rows = std::min(rows_ - done, BitTiles::kSide - row_in_tile);
     bits.row_to_write(word_of(row), first_word_, words_, tiles_);
-    carry_.assign(BitTiles::kSide, 0);
+    carry_.assign(rows, 0);
     for (std::size_t w = 0; w < tiles_.size(); ++w) {
       const std::size_t at = w * rows_ + done;
       merge(&inside_[at], &touched_[at], carry_.data(), tiles_[w]->data() + row_in_tile, rows);

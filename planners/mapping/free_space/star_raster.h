@@ -25,13 +25,13 @@ class StarRaster {
   void draw_edge(const Corner& from, const Corner& to);
   void draw_clipped(const Corner& from, const Corner& to);
   void climb(const Corner& low, const Corner& high);
-  void climb_clipped(const Corner& low, const Corner& high);
-  std::size_t mark_words(std::size_t at, int word, int column, std::uint64_t entry);
-  void mark(int row, int from, int to, bool crosses);
-  void mark_clipped(int row, int from, int to, bool crosses);
+  void touch(int row, int column, int other);
+  void touch_clipped(int row, int column, int other);
+  std::size_t touch_words(std::size_t at, int word, int column, std::uint64_t entry);
   void end_at_column(int columns);
   void commit(BitTiles& bits);
 
+  int end_row() const { return first_row_ + static_cast<int>(rows_); }
   int first_column() const { return first_word_ * row_words::kBits; }
   int last_column() const { return (first_word_ + words_) * row_words::kBits - 1; }
   std::size_t index(int word, int row) const {
@@ -43,7 +43,9 @@ class StarRaster {
   int first_row_ = 0, first_word_ = 0;
   int words_ = 0;
   std::size_t rows_ = 0;
-  // All zeros between two stars.
+  // All zeros between two stars. Where an edge crosses the lower border of a row, `inside` is
+  // flipped from there to the end of the word; whether the outline touches a cell makes no
+  // difference, so
   std::vector<std::uint64_t>
       inside_;  // flipped from where the outline crosses a row to the word's end
   std::vector<std::uint64_t> touched_;  // cells that the outline runs through
