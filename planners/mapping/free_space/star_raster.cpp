@@ -65,7 +65,7 @@ void StarRaster::fill_window(std::span<const Corner> corners, bool all_inside, i
 
 // Touches a row from where an edge enters it, in the word at index `at`, to a column in another
 // word, whose index is returned.
-std::size_t StarRaster::touch_words(std::size_t at, int word, int column, std::uint64_t entry) {
+[[gnu::noinline, gnu::cold]] std::size_t StarRaster::touch_words(std::size_t at, int word, int column, std::uint64_t entry) {
   const int last = word_of(column);
   if (word < last) {
     touched_[at] |= entry;
@@ -100,16 +100,18 @@ inline void StarRaster::touch(int row, int column, int other) {
   std::size_t at = index(word, low.row);
   std::size_t last = at + static_cast<std::size_t>(high.row - low.row);
   std::uint64_t entry = bits_from(low.column);
-  for (double y = low.row + 1; at != last; ++y) {
+  double y = low.row;
+  while (at != last) {
+    y += 1;
     const int column = static_cast<int>(low_x + (y - low_y) * slope);
     const std::uint64_t exit = bits_from(column);
-    if (word_of(column) == word) {
-      touched[at] |= rightwards ? entry ^ exit << 1 : exit ^ entry << 1;
-    } else {
+    if (word_of(column) != word) [[unlikely]] {
       const std::size_t there = touch_words(at, word, column, entry);
       last += there - at;
       at = there;
       word = word_of(column);
+    } else {
+      touched[at] |= rightwards ? entry ^ exit << 1 : exit ^ entry << 1;
     }
     inside[++at] ^= exit;
     entry = exit;
@@ -142,6 +144,7 @@ void StarRaster::draw_clipped(const Corner& from, const Corner& to) {
   if (in_window(from) && in_window(to)) return draw_edge(from, to);
   const bool rising = from.row <= to.row;
   const Corner &low = rising ? from : to, &high = rising ? to : from;
+  if (high.row < first_row_ || low.row >= end_row()) return;
   const double slope = (high.x - low.x) / (high.y - low.y);
   const auto column_at = [&](int y) { return floor_of(low.x + (y - low.y) * slope); };
   const int first = std::max(low.row, first_row_);
