@@ -85,7 +85,7 @@ TEST(DelaunayTriangulation, MakesOneSiteOfPointsThatRoundToOnePlace) {
 TEST(DelaunayTriangulation, RoundsByNoMoreThanItSays) {
   for (const Vec2& p : random_points(5, 2000)) {
     const auto d = triangulated({p});
-    EXPECT_LE((d.site(4) - p).norm(), DelaunayTriangulation::kRounding_m);
+    EXPECT_LE((d.site(4) - p).norm(), DelaunayTriangulation::kRounding * d.quantum_m());
   }
 }
 
