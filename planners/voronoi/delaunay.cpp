@@ -26,6 +26,7 @@ void DelaunayTriangulation::reset(const Bounds& frame) {
   twin_.clear();
   center_.clear();
   center_known_.clear();
+  state_.clear();
   latest_ = 0;
 
   const Lattice lo = to_lattice(frame.min);
@@ -142,6 +143,7 @@ TriangleId DelaunayTriangulation::add_triangle(SiteId a, SiteId b, SiteId c) {
   }
   center_.push_back(Vec2::Zero());
   center_known_.push_back(0);
+  state_.push_back(++states_);
   return triangle(h);
 }
 

@@ -76,6 +76,10 @@ class DelaunayTriangulation {
   // Remembered until the triangle changes.
   const Vec2& circumcenter(TriangleId t) const;
 
+  // Differs from that of every other triangle, and from what it was before the corners or their
+  // order changed.
+  std::uint64_t state(TriangleId t) const { return state_[t]; }
+
   // Calls f(half-edge leaving s) around a site, counter-clockwise; all of them for a site that is
   // no frame corner.
   template <class F>
@@ -108,7 +112,10 @@ class DelaunayTriangulation {
   void legalise(HalfEdgeId h);
   void flip(HalfEdgeId h);
   bool must_flip(HalfEdgeId h) const;
-  void touch(TriangleId t) { center_known_[t] = 0; }
+  void touch(TriangleId t) {
+    center_known_[t] = 0;
+    state_[t] = ++states_;
+  }
   Vec2 compute_circumcenter(TriangleId t) const;
 
   Bounds frame_{Vec2::Zero(), Vec2::Zero()};
@@ -121,6 +128,8 @@ class DelaunayTriangulation {
   std::vector<HalfEdgeId> twin_;
   mutable std::vector<Vec2> center_;
   mutable std::vector<char> center_known_;
+  std::vector<std::uint64_t> state_;
+  std::uint64_t states_ = 0;  // given out, before a reset() too
   std::vector<HalfEdgeId> stack_;
   TriangleId latest_ = 0;
 };
