@@ -11,12 +11,13 @@ using row_words::word_of;
 const BitTiles::Tile BitTiles::kZeros{};
 
 void BitTiles::set(int row, int from, int to) {
-  row_to_write(word_of(row), word_of(from), word_of(to) - word_of(from) + 1, written_);
-  for (std::size_t i = 0; i < written_.size(); ++i) {
+  std::vector<Tile*> tiles;
+  row_to_write(word_of(row), word_of(from), word_of(to) - word_of(from) + 1, tiles);
+  for (std::size_t i = 0; i < tiles.size(); ++i) {
     std::uint64_t bits = ~0ULL;
     if (i == 0) bits &= row_words::bits_from(from);
-    if (i + 1 == written_.size()) bits &= row_words::bits_up_to(to);
-    (*written_[i])[static_cast<std::size_t>(row & (kSide - 1))] |= bits;
+    if (i + 1 == tiles.size()) bits &= row_words::bits_up_to(to);
+    (*tiles[i])[static_cast<std::size_t>(row & (kSide - 1))] |= bits;
   }
 }
 

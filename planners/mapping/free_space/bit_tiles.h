@@ -64,7 +64,6 @@ class BitTiles {
   int shift_ = 64 - kFirstSlotsLog2;
   std::vector<Slot> slots_{std::size_t{1} << kFirstSlotsLog2};  // a power of two, half full
   std::vector<Tile> tiles_;
-  std::vector<Tile*> written_;  // scratch
 };
 
 }  // namespace voronaut
