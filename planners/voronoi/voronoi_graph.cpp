@@ -73,7 +73,7 @@ bool VoronoiGraph::add_seen(HalfEdgeId h) {
   const VertexId u = vertex_in(t);
   const VertexId v = vertex_in(twin);
   dual_[h] = {u, v};
-  if (seen.clear) add_edge(u, v);
+  if (seen.passable) add_edge(u, v);
   return true;
 }
 
@@ -101,11 +101,11 @@ void VoronoiGraph::add_dual(HalfEdgeId h) {
     v = q_inside ? vertex_in(DelaunayTriangulation::triangle(g)) : add_border_vertex(cut->q, sites);
   }
   dual_[h] = {u, v};
-  const bool clear = is_clear(vertices_[u], vertices_[v], d.origin(h)) &&
-                     is_clear(vertices_[u], vertices_[v], d.target(h));
+  const bool passable = is_clear(vertices_[u], vertices_[v], d.origin(h)) &&
+                        is_clear(vertices_[u], vertices_[v], d.target(h));
   if (p_inside && q_inside)
-    seen_[h] = {d.state(t), d.state(DelaunayTriangulation::triangle(g)), clear};
-  if (clear) add_edge(u, v);
+    seen_[h] = {d.state(t), d.state(DelaunayTriangulation::triangle(g)), passable};
+  if (passable) add_edge(u, v);
 }
 
 VertexId VoronoiGraph::vertex_in(TriangleId t) {

@@ -79,7 +79,7 @@ class VoronoiGraph {
   // triangles.
   struct Seen {
     std::uint64_t state = 0, twin_state = 0;
-    bool clear = false;
+    bool passable = false;
   };
 
   void add_dual(HalfEdgeId h);
