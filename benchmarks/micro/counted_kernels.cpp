@@ -75,7 +75,7 @@ const std::vector<CountedKernel>& counted_kernels() {
        30'000, [] { return closed_loop_work(0, 3'000); }},
       {"closed_loop_after_97k", "the same flight, its last 3 000 steps", "step", 30'000, 30'000,
        [] { return closed_loop_work(97'000, 3'000); }, true},
-      {"voronoi_build_1000", "diagram and roadmap of 1000 random points", "point", 6'600, 0,
+      {"voronoi_build_1000", "diagram and roadmap of 1000 random points", "point", 6'870, 0,
        [] { return voronoi_build_work(1'000); }},
       {"voronoi_insert_1000", "one more point worked into the diagram", "point", 33'000, 0,
        [] { return voronoi_insert_work(1'000); }},
