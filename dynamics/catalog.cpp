@@ -35,7 +35,12 @@ const std::vector<VehicleSpec>& vehicles() {
        .planning_clearance_m = 0.5,
        .limits = {.max_acceleration_m_s2 = 3.5706},
        .model = QuadrotorConfig{},
-       .regulator = PdRateConfig::kName}};
+       .regulator = PdRateConfig::kName},
+      // As large and as fast as `ideal`: what is the wheels' doing.
+      {.name = "unicycle",
+       .limits = {.max_acceleration_m_s2 = 3, .max_tilt_rad = kNoTilt_rad},
+       .model = UnicycleConfig{},
+       .regulator = ArcTrackerConfig::kName}};
   return rows;
 }
 
@@ -129,6 +134,11 @@ std::unique_ptr<Regulator> make_regulator(const RegulatorConfig& config, const V
 StoppingLaw stopping_law(const RegulatorConfig& config, const VehicleSpec& vehicle) {
   constexpr double kAnyPeriod_s = 0.01;  // no law of stopping depends on it
   return make_regulator(config, vehicle, kAnyPeriod_s)->stopping_law();
+}
+
+MotionResponse motion_response(const RegulatorConfig& config, const VehicleSpec& vehicle,
+                               double period_s) {
+  return make_regulator(config, vehicle, period_s)->motion_response();
 }
 
 VelocityResponse velocity_response(const RegulatorConfig& config, const VehicleSpec& vehicle,

@@ -10,7 +10,9 @@
 #include "voronaut/dynamics/models/cart.h"
 #include "voronaut/dynamics/models/ideal.h"
 #include "voronaut/dynamics/models/quadrotor.h"
+#include "voronaut/dynamics/models/unicycle.h"
 #include "voronaut/dynamics/regulator.h"
+#include "voronaut/dynamics/regulators/arc_tracker.h"
 #include "voronaut/dynamics/regulators/ideal.h"
 #include "voronaut/dynamics/regulators/paper_literal.h"
 #include "voronaut/dynamics/regulators/pd_rate.h"
@@ -24,12 +26,12 @@
 namespace voronaut {
 
 // A model's config has kName, a visit list and `Body`, the class that is made from it.
-using ModelConfig = std::variant<IdealConfig, QuadrotorConfig, CartConfig>;
+using ModelConfig = std::variant<IdealConfig, QuadrotorConfig, CartConfig, UnicycleConfig>;
 
 // A regulator's config has kName, a visit list and `Law`, the class that is made from it. A law
 // drives each model from whose config it can be made: Law(config, model's config, limits, period).
-using RegulatorConfig =
-    std::variant<IdealRegulatorConfig, PaperLiteralConfig, PdRateConfig, PositionTrajectoryConfig>;
+using RegulatorConfig = std::variant<IdealRegulatorConfig, PaperLiteralConfig, PdRateConfig,
+                                     PositionTrajectoryConfig, ArcTrackerConfig>;
 
 struct VehicleSpec {
   std::string name;
@@ -70,6 +72,9 @@ std::unique_ptr<Regulator> make_regulator(const RegulatorConfig& config, const V
 
 // Of the regulator that make_regulator makes; throw as it and as Regulator's virtuals do.
 StoppingLaw stopping_law(const RegulatorConfig& config, const VehicleSpec& vehicle);
+MotionResponse motion_response(const RegulatorConfig& config, const VehicleSpec& vehicle,
+                               double period_s);
+// Of what moves in every direction; others throw.
 VelocityResponse velocity_response(const RegulatorConfig& config, const VehicleSpec& vehicle,
                                    double period_s);
 

@@ -15,6 +15,8 @@ Eigen::Vector2d desired_velocity(const Setpoint& setpoint, const VehicleState& s
                                  const SpeedProfile& profile, double max_speed_m_s) {
   if (const auto* command = std::get_if<VelocityCommand>(&setpoint.motion))
     return command->v_world_m_s;
+  if (const auto* arc = std::get_if<ArcCommand>(&setpoint.motion))
+    return arc->v_m_s * state.heading_world();
   const Eigen::Vector2d p = state.p_world.head<2>();
   if (const auto* rest = std::get_if<RestAtTarget>(&setpoint.motion))
     return profile.velocity_m_s(rest->p_world - p, std::min(rest->speed_limit_m_s, max_speed_m_s));

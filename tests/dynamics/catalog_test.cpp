@@ -48,18 +48,20 @@ TEST(Catalog, KnowsTheBodies) {
   EXPECT_EQ(find_vehicle("cart").limits.max_speed_m_s, 1.25);
 }
 
-TEST(Catalog, TellsWhatACartCannotDo) {
+TEST(Catalog, TellsWhatWheelsCannotDo) {
+  const std::set<std::string> wheeled{"cart", "unicycle"};
   for (const std::string& name : vehicle_names()) {
     const Mobility mobility = mobility_of(find_vehicle(name));
-    EXPECT_EQ(mobility.flies, name != "cart") << name;
-    EXPECT_EQ(mobility.moves_sideways, name != "cart") << name;
+    EXPECT_EQ(mobility.flies, wheeled.count(name) == 0) << name;
+    EXPECT_EQ(mobility.moves_sideways, wheeled.count(name) == 0) << name;
   }
 }
 
 TEST(Catalog, NamesEveryEntryOnceInAlphabeticalOrder) {
-  EXPECT_THAT(vehicle_names(), ElementsAre("cart", "ideal", "quadrotor", "quadrotor_props"));
-  EXPECT_THAT(regulator_names(),
-              ElementsAre("ideal", "paper_literal", "pd_rate", "position_trajectory"));
+  EXPECT_THAT(vehicle_names(),
+              ElementsAre("cart", "ideal", "quadrotor", "quadrotor_props", "unicycle"));
+  EXPECT_THAT(regulator_names(), ElementsAre("arc_tracker", "ideal", "paper_literal", "pd_rate",
+                                             "position_trajectory"));
 }
 
 TEST(Catalog, ListsTheKnownNamesWhenOneIsUnknown) {

@@ -9,8 +9,8 @@ namespace {
 
 const RegulatorPair kHovering[] = {
     {"quadrotor", "pd_rate"}, {"quadrotor_props", "pd_rate"}, {"ideal", "ideal"}};
-// What hovering asks for beyond that, the cart's own test asks in its place.
-const RegulatorPair kWheeled[] = {{"cart", "position_trajectory"}};
+// What hovering asks for beyond that, the tests of what drives on wheels ask in its place.
+const RegulatorPair kWheeled[] = {{"cart", "position_trajectory"}, {"unicycle", "arc_tracker"}};
 const RegulatorPair kUnstable[] = {{"quadrotor", "paper_literal"}};
 
 std::string pair_name(const ::testing::TestParamInfo<RegulatorPair>& info) {
