@@ -15,6 +15,11 @@ constexpr double kNoDirection = 0.1;
 // Beyond what the governor keeps from the bounds, a heading turns inwards within so much.
 constexpr double kRoomToBounds_m = 0.02;
 
+// These lead back to where the vehicle came from: nothing there needs looking at.
+bool leads_back(ExecutiveState state) {
+  return state == ExecutiveState::backing_off || state == ExecutiveState::retracing;
+}
+
 }  // namespace
 
 Setpoint Navigator::steer(const VehicleState& state, double now_s) {
@@ -24,7 +29,7 @@ Setpoint Navigator::steer(const VehicleState& state, double now_s) {
   const Vec2 p = state.p_world.head<2>();
   Setpoint setpoint;
   setpoint.height_m = config_.mission.cruise_height_m;
-  setpoint.heading_world = yaw_policy_.heading(tracker_, p, unknown_that_holds_back(state));
+  setpoint.heading_world = yaw_policy_.heading(tracker_, p, unknown_to_look_at(state));
   const LookaheadPoint ahead = lookahead(state, now_s, setpoint);
   const Vec2 way = ahead.p_world - p;
   const KnownClearance kept = retracing_ || now_s < reduced_clearance_until_s_
@@ -36,12 +41,19 @@ Setpoint Navigator::steer(const VehicleState& state, double now_s) {
   const double speed_m_s =
       speed_limit_m_s(config_.navigation.speed_rule, belief_, towards, braking_,
                       config_.navigation.reaction_time_s, ahead.speed_limit_m_s);
-  if (governor_)
-    setpoint.motion = govern(speed_m_s * towards, state, kept);
-  else if (ahead.end == PathEnd::goal)
+  if (governor_) {
+    const WantedMotion wanted{.v_world = looks_at_ ? Vec2(0, 0) : Vec2(speed_m_s * towards),
+                              .heading_world = setpoint.heading_world,
+                              .yaw_rate_rad_s = setpoint.yaw_rate_rad_s,
+                              .lookahead_m = way.norm(),
+                              .may_reverse = leads_back(report_.executive)};
+    std::visit([&](const auto& command) { setpoint.motion = command; },
+               govern(wanted, state, kept));
+  } else if (ahead.end == PathEnd::goal) {
     setpoint.motion = RestAtTarget{ahead.p_world, speed_m_s};
-  else
+  } else {
     setpoint.motion = PassTarget{ahead.p_world, speed_m_s, ahead.segment};
+  }
   report_.lookahead_world = ahead.p_world;
   report_.setpoint = setpoint;
   return setpoint;
@@ -111,14 +123,14 @@ Vec2 Navigator::kept_within_bounds(const Vec2& towards, const VehicleState& stat
   return kept.norm() > kNoDirection ? Vec2(kept.normalized()) : towards;
 }
 
-VelocityCommand Navigator::govern(const Vec2& v_wanted_m_s, const VehicleState& state,
-                                  KnownClearance kept) {
-  const GovernedVelocity& allowed =
-      governor_->allow(v_wanted_m_s, state, free_space_, map_.snapshot(), kept);
+MotionCommand Navigator::govern(const WantedMotion& wanted, const VehicleState& state,
+                                KnownClearance kept) {
+  const GovernedMotion& allowed =
+      governor_->allow(wanted, state, free_space_, map_.snapshot(), kept);
   refused_at_ = allowed.refused_at;
   report_.speed_scale = allowed.speed_scale;
   report_.tube_world = allowed.tube_world;
-  return {allowed.v_world};
+  return allowed.command;
 }
 
 }  // namespace voronaut

@@ -79,10 +79,11 @@ struct Dash {
         base.update(scan);
         free.update(scan);
         const Vec2 wanted(2.5, 0);
-        commands.push_back(
-            governed ? governor.allow(wanted, state, free, base.snapshot(), KnownClearance::planned)
-                           .v_world
-                     : wanted);
+        commands.push_back(governed ? governor
+                                          .allow({.v_world = wanted}, state, free, base.snapshot(),
+                                                 KnownClearance::planned)
+                                          .v_world
+                                    : wanted);
         const auto late = static_cast<std::size_t>(dead_time_s / (kStepsPerScan * kPeriod_s) + 0.5);
         setpoint.motion = VelocityCommand{
             commands.size() > late ? commands[commands.size() - 1 - late] : Vec2(0, 0)};
@@ -134,8 +135,11 @@ TEST(SafetyGovernor, LetsFullSpeedPassWhereNothingIsInTheWay) {
   FreeSpace free(kBounds);
   free.mark_disc(Vec2(0, 0), 3);
   const VehicleState state = make_model(spec.model)->at_rest({0, 0, 1}, {1, 0});
-  EXPECT_EQ(governor.allow(Vec2(2.5, 0), state, free, {}, KnownClearance::planned).speed_scale, 1);
-  EXPECT_FALSE(governor.allow(Vec2(2.5, 0), state, free, {}, KnownClearance::planned).refused_at);
+  EXPECT_EQ(governor.allow({.v_world = Vec2(2.5, 0)}, state, free, {}, KnownClearance::planned)
+                .speed_scale,
+            1);
+  EXPECT_FALSE(governor.allow({.v_world = Vec2(2.5, 0)}, state, free, {}, KnownClearance::planned)
+                   .refused_at);
 }
 
 TEST(SafetyGovernor, NamesThePlaceThatNobodyKnows) {
@@ -145,8 +149,8 @@ TEST(SafetyGovernor, NamesThePlaceThatNobodyKnows) {
   FreeSpace free(kBounds);
   free.mark_disc(Vec2(0, 0), 0.35);
   const VehicleState state = make_model(find_vehicle("ideal").model)->at_rest({0, 0, 1}, {1, 0});
-  const GovernedVelocity allowed =
-      governor.allow(Vec2(2.5, 0), state, free, {}, KnownClearance::planned);
+  const GovernedMotion allowed =
+      governor.allow({.v_world = Vec2(2.5, 0)}, state, free, {}, KnownClearance::planned);
   EXPECT_LT(allowed.speed_scale, 1);
   ASSERT_TRUE(allowed.refused_at);
   EXPECT_FALSE(free.is_free(*allowed.refused_at));
@@ -161,11 +165,17 @@ TEST(SafetyGovernor, LetsAVehicleLeaveAWallThatItStandsTooCloseTo) {
     FreeSpace free(kBounds);
     free.mark_disc(Vec2(-1, 0), 1.2);  // the body's own disc is not wholly known free
     const VehicleState state = make_model(spec.model)->at_rest({0, 0, 1}, {1, 0});
-    EXPECT_GT(governor.allow(Vec2(-1, 0), state, free, {}, KnownClearance::planned).speed_scale, 0)
+    EXPECT_GT(governor.allow({.v_world = Vec2(-1, 0)}, state, free, {}, KnownClearance::planned)
+                  .speed_scale,
+              0)
         << name;
-    EXPECT_EQ(governor.allow(Vec2(1, 0), state, free, {}, KnownClearance::planned).speed_scale, 0)
+    EXPECT_EQ(governor.allow({.v_world = Vec2(1, 0)}, state, free, {}, KnownClearance::planned)
+                  .speed_scale,
+              0)
         << name;
-    EXPECT_EQ(governor.allow(Vec2(0, 1), state, free, {}, KnownClearance::planned).speed_scale, 0)
+    EXPECT_EQ(governor.allow({.v_world = Vec2(0, 1)}, state, free, {}, KnownClearance::planned)
+                  .speed_scale,
+              0)
         << name;
   }
 }
@@ -196,7 +206,8 @@ TEST(SafetyGovernor, LeavesRoomForAllThatAStopMayStrayFromItsPrediction) {
     for (double half_width_m = 0.2; half_width_m < 0.8; half_width_m += 0.01) {
       const FreeSpace free = strip(-1, 4, half_width_m);
       SafetyGovernor governor(response, kBodyRadius_m, kClearance_m, 0.05);
-      if (governor.allow(Vec2(1.5, 0), state, free, {}, KnownClearance::planned).speed_scale == 0)
+      if (governor.allow({.v_world = Vec2(1.5, 0)}, state, free, {}, KnownClearance::planned)
+              .speed_scale == 0)
         continue;
       for (const Vec2& side : {Vec2(0, 1), Vec2(0, -1)})
         narrowest_m = std::min(narrowest_m, free_way_m(free, Vec2(0.1, 0), side));
@@ -228,7 +239,8 @@ double room_left_m(const std::string& name, double hold_s, const FreeSpace& free
       setpoint.motion = VelocityCommand{Vec2(0, 0)};
     } else if (step % steps_held == 0) {
       setpoint.motion = VelocityCommand{
-          governor.allow(Vec2(2.5, 0), state, free, {}, KnownClearance::planned).v_world};
+          governor.allow({.v_world = Vec2(2.5, 0)}, state, free, {}, KnownClearance::planned)
+              .v_world};
     }
     const Command next = pilot->regulate(setpoint, state);
     state = model->step(state, pending, kPeriod_s);
@@ -260,8 +272,8 @@ TEST(SafetyGovernor, LetsNoVehicleLeaveFastWhatItStandsTooCloseTo) {
   FreeSpace free(kBounds);
   free.mark_disc(Vec2(-1, 0), 1.2);
   const VehicleState state = make_model(spec.model)->at_rest({0, 0, 1}, {1, 0});
-  const GovernedVelocity allowed =
-      governor.allow(Vec2(-2.5, 0), state, free, {}, KnownClearance::planned);
+  const GovernedMotion allowed =
+      governor.allow({.v_world = Vec2(-2.5, 0)}, state, free, {}, KnownClearance::planned);
   EXPECT_GT(allowed.speed_scale, 0);
   EXPECT_LE(allowed.v_world.norm(), 0.4);
 }
@@ -277,7 +289,8 @@ TEST(SafetyGovernor, KeepsTheClearanceOfPlannersButForItsMargin) {
     const auto post = test::base_of({Vec2(0.5, aside_m)});
     VehicleState state = make_model(IdealConfig{})->at_rest({0, 0, 1}, {1, 0});
     state.v_world.x() = 2;
-    return governor.allow(Vec2(2.5, 0), state, free, post->snapshot(), KnownClearance::planned)
+    return governor
+        .allow({.v_world = Vec2(2.5, 0)}, state, free, post->snapshot(), KnownClearance::planned)
         .speed_scale;
   };
   EXPECT_LT(speed_scale_beside(0.365), 1);
@@ -293,8 +306,12 @@ TEST(SafetyGovernor, AtReducedClearanceAsksOnlyForWhatIsKnownFree) {
   const auto posts = test::base_of({Vec2(0.1, 0.35), Vec2(0.1, -0.35)});
   const ObstacleSnapshot known = posts->snapshot();
   const VehicleState state = make_model(find_vehicle("ideal").model)->at_rest({0, 0, 1}, {1, 0});
-  EXPECT_EQ(governor.allow(Vec2(1, 0), state, free, known, KnownClearance::planned).speed_scale, 0);
-  EXPECT_GT(governor.allow(Vec2(1, 0), state, free, known, KnownClearance::reduced).speed_scale, 0);
+  EXPECT_EQ(governor.allow({.v_world = Vec2(1, 0)}, state, free, known, KnownClearance::planned)
+                .speed_scale,
+            0);
+  EXPECT_GT(governor.allow({.v_world = Vec2(1, 0)}, state, free, known, KnownClearance::reduced)
+                .speed_scale,
+            0);
 }
 
 // How far the centre comes out of the bounds at worst [m], negative inside: a pilot who wants to be
@@ -321,8 +338,8 @@ double farthest_out_m(const std::string& name, const Vec2& start, std::uint64_t 
     const Vec2 p = state.p_world.head<2>();
     if (step % 100 == 0) wanted = 2.5 * Vec2(random.uniform(-1, 1), random.uniform(-1, 1));
     if (step % kStepsPerScan == 0)
-      setpoint.motion =
-          VelocityCommand{governor.allow(wanted, state, free, {}, KnownClearance::planned).v_world};
+      setpoint.motion = VelocityCommand{
+          governor.allow({.v_world = wanted}, state, free, {}, KnownClearance::planned).v_world};
     worst_m = std::max({worst_m, (p - bounds.max).maxCoeff(), (bounds.min - p).maxCoeff()});
     const Command next = pilot->regulate(setpoint, state);
     state = model->step(state, pending, kPeriod_s);
