@@ -87,6 +87,8 @@ class Navigator {
 
   // steering: navigator_steering.cpp
   LookaheadPoint lookahead(const VehicleState& state, double now_s, Setpoint& setpoint);
+  double lookahead_clearance_m() const;
+  bool governs_wheels() const;
   Vec2 repulsive_heading(const Vec2& towards, const Vec2& p_world) const;
   Vec2 kept_within_bounds(const Vec2& towards, const VehicleState& state) const;
   MotionCommand govern(const WantedMotion& wanted, const VehicleState& state, KnownClearance kept);

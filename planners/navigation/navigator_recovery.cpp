@@ -44,7 +44,7 @@ std::optional<Vec2> Navigator::unknown_that_holds_back(const VehicleState& state
 // place first if it is out of view, on the spot, until it has it well in view.
 std::optional<Vec2> Navigator::unknown_to_look_at(const VehicleState& state) {
   const auto held_back_by = unknown_that_holds_back(state);
-  if (!governor_ || config_.vehicle.steering == Steering::any_direction) return held_back_by;
+  if (!governs_wheels()) return held_back_by;
   const auto off_view = [&](const Vec2& place, double share) {
     const Vec2 way = place - state.p_world.head<2>();
     if (way.norm() == 0) return false;

@@ -83,22 +83,35 @@ LookaheadPoint Navigator::lookahead(const VehicleState& state, double now_s, Set
         yaw_policy_.yaw_rate_rad_s(setpoint.heading_world, state.heading_world());
     tracker_.advance(p);
     return tracker_.lookahead(p, state.v_world.head<2>().norm(), belief_.obstacles,
-                              config_.vehicle.planning_clearance_m);
+                              lookahead_clearance_m());
   }
   if (departed) report_.executive = ExecutiveState::without_path;
   return here;
 }
 
-// Closer to a known point than planners plan, a heading also leads away from it.
+// What the way to the lookahead point keeps from known points. A governed vehicle on wheels swings
+// about its path; with all that planners keep, the point would come so near in a passage as wide as
+// they plan for that the swings grow. The governor's margin is room enough for them.
+double Navigator::lookahead_clearance_m() const {
+  const double clearance_m = config_.vehicle.planning_clearance_m;
+  return governs_wheels() ? clearance_m - SafetyGovernor::kKnownMargin_m : clearance_m;
+}
+
+bool Navigator::governs_wheels() const {
+  return governor_ && config_.vehicle.steering == Steering::along_heading;
+}
+
+// Closer to a known point than planners plan, a heading also leads away from it; on wheels, which
+// would have to turn for that, only closer than the governor lets it come.
 Vec2 Navigator::repulsive_heading(const Vec2& towards, const Vec2& p_world) const {
   const auto nearest = nearest_obstacle_within_clearance(p_world);
   if (!governor_ || !nearest) return towards;
   const Vec2 from_nearest = p_world - *nearest;
   const double distance_m = from_nearest.norm();
   if (distance_m == 0) return towards;
-  const double repulsion =
-      std::min(kRepulsionMax, (config_.vehicle.planning_clearance_m - distance_m) /
-                                  SafetyGovernor::kKnownMargin_m);
+  const double too_close_m = lookahead_clearance_m() - distance_m;
+  if (too_close_m <= 0) return towards;
+  const double repulsion = std::min(kRepulsionMax, too_close_m / SafetyGovernor::kKnownMargin_m);
   const Vec2 blended = towards + (repulsion / distance_m) * from_nearest;
   return blended.norm() > kNoDirection ? Vec2(blended.normalized())
                                        : Vec2(from_nearest / distance_m);
