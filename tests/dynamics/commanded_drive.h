@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <memory>
 #include <random>
 #include <utility>
@@ -56,6 +57,13 @@ class CommandedDrive {
     const double now_m_s = motion().v_m_s;
     return what < 0.8 ? arc_towards({1, 0}, length_m * way, speed_m_s, now_m_s, limits)
                       : arc_back_towards({1, 0}, -length_m * way, speed_m_s, now_m_s, limits);
+  }
+  // Any arc, slowed down to this speed with its curvature kept.
+  ArcCommand slow_arc(double speed_max_m_s) {
+    ArcCommand arc = any_arc();
+    const double speed_m_s = std::abs(arc.v_m_s);
+    const double scale = speed_m_s > speed_max_m_s ? speed_max_m_s / speed_m_s : 1;
+    return {scale * arc.v_m_s, scale * arc.w_rad_s};
   }
   // Mostly the same again; or none, backwards, or another.
   ArcCommand next_command(const ArcCommand& before) {
