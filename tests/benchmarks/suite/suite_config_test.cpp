@@ -189,8 +189,8 @@ TEST(SuiteConfig, SaysInOneLineWhatIsWrong) {
       {suite_with("vehicles", "[]"),
        "s.yaml:3: key 'vehicles': expected at least one entry, got none"},
       {suite_with("vehicles", "[quadrotr]"),
-       "s.yaml:3: key 'vehicles[0]': no vehicle 'quadrotr' (allowed: cart, ideal, "
-       "quadrotor, quadrotor_props; did you mean 'quadrotor'?)"},
+       "s.yaml:3: key 'vehicles[0]': no vehicle 'quadrotr' (allowed: cart, ideal, jackal, "
+       "quadrotor, quadrotor_props, unicycle; did you mean 'quadrotor'?)"},
       {suite_with("vehicles", "[quadrotor, quadrotor]"),
        "s.yaml:3: key 'vehicles[1]': the name 'quadrotor' is taken (line 3); give this one a "
        "label"},

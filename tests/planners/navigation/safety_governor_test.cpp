@@ -97,24 +97,32 @@ double free_way_m(const FreeSpace& free, const Vec2& p, const Vec2& along) {
   return way_m;
 }
 
+// Half the narrowest strip that a governor lets a vehicle into.
+double narrowest_m(const MotionResponse& response) {
+  const VehicleState state = make_model(IdealConfig{})->at_rest({0, 0, 1}, {1, 0});
+  double narrowest_m = 1;
+  for (double half_width_m = 0.2; half_width_m < 0.8; half_width_m += 0.01) {
+    const FreeSpace free = strip(-1, 4, half_width_m);
+    SafetyGovernor governor(response, kBodyRadius_m, kClearance_m, 0.05);
+    if (governor.allow({.v_world = Vec2(1.5, 0)}, state, free, {}, KnownClearance::planned)
+            .speed_scale == 0)
+      continue;
+    for (const Vec2& side : {Vec2(0, 1), Vec2(0, -1)})
+      narrowest_m = std::min(narrowest_m, free_way_m(free, Vec2(0.1, 0), side));
+  }
+  return narrowest_m;
+}
+
 // The edges of what is proved. A tube is as wide as the body and all that it may stray.
 TEST(SafetyGovernor, LeavesRoomForAllThatAStopMayStrayFromItsPrediction) {
   for (const double stray_m : {0.0, 0.1, 0.2, 0.3}) {
-    VelocityResponse response;
-    response.error_at_rest_m = stray_m;
-    const VehicleState state = make_model(IdealConfig{})->at_rest({0, 0, 1}, {1, 0});
-    double narrowest_m = 1;
-    for (double half_width_m = 0.2; half_width_m < 0.8; half_width_m += 0.01) {
-      const FreeSpace free = strip(-1, 4, half_width_m);
-      SafetyGovernor governor(response, kBodyRadius_m, kClearance_m, 0.05);
-      if (governor.allow({.v_world = Vec2(1.5, 0)}, state, free, {}, KnownClearance::planned)
-              .speed_scale == 0)
-        continue;
-      for (const Vec2& side : {Vec2(0, 1), Vec2(0, -1)})
-        narrowest_m = std::min(narrowest_m, free_way_m(free, Vec2(0.1, 0), side));
+    VelocityResponse velocities;
+    DriveResponse arcs;
+    velocities.error_at_rest_m = arcs.error_at_rest_m = stray_m;
+    for (const MotionResponse& response : {MotionResponse(velocities), MotionResponse(arcs)}) {
+      EXPECT_GE(narrowest_m(response), kBodyRadius_m + stray_m) << response.index();
+      EXPECT_LT(narrowest_m(response), kBodyRadius_m + stray_m + 0.04) << "not at the edge";
     }
-    EXPECT_GE(narrowest_m, kBodyRadius_m + stray_m);
-    EXPECT_LT(narrowest_m, kBodyRadius_m + stray_m + 0.04) << "not at the edge";
   }
 }
 
