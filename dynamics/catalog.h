@@ -10,7 +10,9 @@
 #include "voronaut/dynamics/models/cart.h"
 #include "voronaut/dynamics/models/ideal.h"
 #include "voronaut/dynamics/models/quadrotor.h"
+#include "voronaut/dynamics/models/unicycle.h"
 #include "voronaut/dynamics/regulator.h"
+#include "voronaut/dynamics/regulators/arc_tracker.h"
 #include "voronaut/dynamics/regulators/cascade_pid.h"
 #include "voronaut/dynamics/regulators/ideal.h"
 #include "voronaut/dynamics/regulators/lqr.h"
@@ -27,13 +29,13 @@
 namespace voronaut {
 
 // A model's config has kName, a visit list and `Body`, the class that is made from it.
-using ModelConfig = std::variant<IdealConfig, QuadrotorConfig, CartConfig>;
+using ModelConfig = std::variant<IdealConfig, QuadrotorConfig, CartConfig, UnicycleConfig>;
 
 // A regulator's config has kName, a visit list and `Law`, the class that is made from it. A law
 // drives each model from whose config it can be made: Law(config, model's config, limits, period).
 using RegulatorConfig =
     std::variant<IdealRegulatorConfig, PaperLiteralConfig, PdRateConfig, PositionTrajectoryConfig,
-                 CascadePidConfig, Se3Config, LqrConfig>;
+                 ArcTrackerConfig, CascadePidConfig, Se3Config, LqrConfig>;
 
 struct VehicleSpec {
   std::string name;
@@ -75,6 +77,9 @@ std::unique_ptr<Regulator> make_regulator(const RegulatorConfig& config, const V
 // Of the regulator that make_regulator makes; throw as it and as Regulator's virtuals do, the
 // response also where the period is above its kLongestPeriod_s.
 StoppingLaw stopping_law(const RegulatorConfig& config, const VehicleSpec& vehicle);
+MotionResponse motion_response(const RegulatorConfig& config, const VehicleSpec& vehicle,
+                               double period_s);
+// Of what moves in every direction; others throw.
 VelocityResponse velocity_response(const RegulatorConfig& config, const VehicleSpec& vehicle,
                                    double period_s);
 

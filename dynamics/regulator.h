@@ -1,8 +1,8 @@
 #pragma once
 
+#include "voronaut/dynamics/motion_response.h"
 #include "voronaut/dynamics/state.h"
 #include "voronaut/dynamics/stopping.h"
-#include "voronaut/dynamics/velocity_response.h"
 
 namespace voronaut {
 
@@ -20,9 +20,11 @@ class Regulator {
   // How what it drives stops when told to. A law that does not stop says how it would if it did.
   virtual StoppingLaw stopping_law() const = 0;
 
-  // How velocity answers a command: what the safety governor predicts with. Throws
-  // std::invalid_argument with the reason where no stop can be promised.
-  virtual VelocityResponse velocity_response() const = 0;
+  // How motion answers a command: what the safety governor predicts with. Throws
+  // std::invalid_argument with the reason where no stop can be promised. What moves in every
+  // direction says it by velocity_response(); what drives along its heading overrides this one.
+  virtual MotionResponse motion_response() const { return velocity_response(); }
+  virtual VelocityResponse velocity_response() const;
 };
 
 }  // namespace voronaut

@@ -27,7 +27,7 @@ struct VehicleState {
   Eigen::Vector2d heading_world() const;
 };
 
-// The three ways in which a setpoint asks for motion in the plane.
+// The four ways in which a setpoint asks for motion in the plane.
 //
 // Through the target and on to what comes after it.
 struct PassTarget {
@@ -48,9 +48,16 @@ struct VelocityCommand {
   Eigen::Vector2d v_world_m_s = Eigen::Vector2d::Zero();
 };
 
+// The same for what drives along its heading: an arc of curvature w / v, a turn on the spot where v
+// is 0, backwards where v is negative. Speed limit, braking and heading are the governor's business.
+struct ArcCommand {
+  double v_m_s = 0;    // along the heading
+  double w_rad_s = 0;  // yaw rate, positive to the left
+};
+
 // What navigation asks of the regulator.
 struct Setpoint {
-  std::variant<PassTarget, RestAtTarget, VelocityCommand> motion = PassTarget{};
+  std::variant<PassTarget, RestAtTarget, VelocityCommand, ArcCommand> motion = PassTarget{};
   double height_m = 0;                                       // of the centre of mass
   Eigen::Vector2d heading_world = Eigen::Vector2d::UnitX();  // look there (unit vector)
   double yaw_rate_rad_s = 0;                                 // feedforward for a turning heading
@@ -58,7 +65,8 @@ struct Setpoint {
 
 // What the regulator asks of the model, held for one vehicle step. The model says what the four
 // numbers mean: rotor speeds [rad/s] for the quadrotor; world acceleration x, y, z [m/s^2] and yaw
-// rate [rad/s] for the ideal vehicle; voltages [V] of the right and the left motor for the cart.
+// rate [rad/s] for the ideal vehicle; speed [m/s] and yaw rate [rad/s] asked for, for the unicycle;
+// voltages [V] of the right and the left motor for the cart.
 struct Command {
   std::array<double, 4> u{};
 };

@@ -52,9 +52,8 @@ Commands::Commands(CLI::App& app) {
   list_command = add_command(app, "list", "Print what there is");
   list_command->add_option("WHAT", list.what)
       ->required()
-      ->check(
-          CLI::IsMember({"planners", "vehicles", "regulators", "scenarios", "suites", "results",
-                         "responses"}));
+      ->check(CLI::IsMember(
+          {"planners", "vehicles", "regulators", "scenarios", "suites", "results", "responses"}));
   add_plugins(list_command, list.plugins);
   check_command = add_command(app, "check", "Validate a suite or scenario without running it");
   check_command

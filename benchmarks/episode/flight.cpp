@@ -25,7 +25,7 @@ VehicleFacts vehicle_facts(const TrialSpec& spec) {
   facts.goal_profile =
       std::visit([](const auto& regulator) { return regulator.profile; }, spec.regulator);
   if (spec.flight.navigation.governor)
-    facts.velocity_response = velocity_response(spec.regulator, spec.vehicle, period_s);
+    facts.motion_response = motion_response(spec.regulator, spec.vehicle, period_s);
   return facts;
 }
 

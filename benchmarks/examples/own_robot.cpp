@@ -59,6 +59,8 @@ void print(const NavigationReport& report) {
     std::cout << "rest at " << rest->p_world.transpose();
   if (const auto* command = std::get_if<VelocityCommand>(&motion))
     std::cout << "velocity " << command->v_world_m_s.transpose() << " m/s";
+  if (const auto* arc = std::get_if<ArcCommand>(&motion))
+    std::cout << "arc " << arc->v_m_s << " m/s, " << arc->w_rad_s << " rad/s";
   std::cout << "\n";
 }
 

@@ -92,7 +92,7 @@ void read_navigation_of_vehicles(const ConfigNode& root, SuiteConfig& suite) {
 // Why the safety governor cannot keep a vehicle from touching, empty if it can.
 std::string why_no_stop(const VehicleEntry& entry, double period_s) {
   try {
-    velocity_response(entry.regulator, entry.vehicle, period_s);
+    motion_response(entry.regulator, entry.vehicle, period_s);
   } catch (const std::invalid_argument& error) {
     return error.what();
   }

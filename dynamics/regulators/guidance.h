@@ -10,7 +10,8 @@ namespace voronaut {
 
 // Horizontal velocity asked for, in world axes: towards the target at the speed limit (never above
 // `max_speed_m_s`), or slowing down by the profile if the target is to be rested at. Eqs. (5), (6)
-// of the quadrotor planner paper; zero at the target. A velocity command is obeyed as it is.
+// of the quadrotor planner paper; zero at the target. A velocity command is obeyed as it
+// is, and of an arc its speed along the heading.
 Eigen::Vector2d desired_velocity(const Setpoint& setpoint, const VehicleState& state,
                                  const SpeedProfile& profile, double max_speed_m_s);
 

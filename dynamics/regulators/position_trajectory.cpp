@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
 
 #include "voronaut/dynamics/regulators/guidance.h"
 
@@ -17,12 +16,19 @@ constexpr double kSlow_m_s = 0.1;
 // Of the gradient of psi, 1 on the curve: nearer to the centre of an arc it has no direction.
 constexpr double kNoDirection = 1e-3;
 
+// Of what it may accelerate at all, across the course of an arc.
+constexpr double kLateralShareOfCart = 0.6;
+// Bounds of DriveResponse::error_m that tests/dynamics/drive_response_test.cpp holds.
+constexpr double kCartStopErrorAtRest_m = 0.001;
+constexpr double kCartStopError_s = 0.001;
+
 // Puts the target of a setpoint elsewhere.
 struct Moved {
   Vector2d p_world;
   void operator()(PassTarget& target) const { target.p_world = p_world; }
   void operator()(RestAtTarget& target) const { target.p_world = p_world; }
   void operator()(VelocityCommand&) const {}
+  void operator()(ArcCommand&) const {}
 };
 
 Vector2d left_of(const Vector2d& v) { return {-v.y(), v.x()}; }
@@ -111,6 +117,14 @@ PositionTrajectory::Rates PositionTrajectory::hold(const Vector2d& v_world_m_s, 
   return accelerate(config_.point_gain_1_s * (v_world_m_s - now.velocity_m_s), now);
 }
 
+PositionTrajectory::Rates PositionTrajectory::hold(const ArcCommand& arc, const Motion& now) const {
+  const double a_max = limits_.max_acceleration_m_s2;
+  const double alpha_max = a_max / config_.control_point_ahead_m;
+  return {
+      std::clamp(config_.point_gain_1_s * (arc.v_m_s - now.v_m_s), -a_max, a_max),
+      std::clamp(config_.turn_rate_gain_1_s * (arc.w_rad_s - now.w_rad_s), -alpha_max, alpha_max)};
+}
+
 std::optional<PositionTrajectory::Rates> PositionTrajectory::along(const PathSegment& segment,
                                                                    double speed_m_s,
                                                                    const Motion& now) {
@@ -128,6 +142,7 @@ PositionTrajectory::Rates PositionTrajectory::wanted(const Setpoint& setpoint,
   const Motion now = motion_of(state);
   if (const auto* command = std::get_if<VelocityCommand>(&setpoint.motion))
     return hold(command->v_world_m_s, now);
+  if (const auto* arc = std::get_if<ArcCommand>(&setpoint.motion)) return hold(*arc, now);
   const auto* pass = std::get_if<PassTarget>(&setpoint.motion);
   const auto* rest = std::get_if<RestAtTarget>(&setpoint.motion);
   const double speed_limit_m_s = pass ? pass->speed_limit_m_s : rest->speed_limit_m_s;
@@ -186,10 +201,25 @@ StoppingLaw PositionTrajectory::stopping_law() const {
   return {config_.point_gain_1_s, limits_.max_acceleration_m_s2};
 }
 
-VelocityResponse PositionTrajectory::velocity_response() const {
-  throw std::invalid_argument(
-      "regulator 'position_trajectory' promises no stop along a course in any direction: what it "
-      "drives cannot move sideways");
+MotionResponse PositionTrajectory::motion_response() const {
+  DriveResponse r;
+  r.period_s = period_s_;
+  r.speed_gain_1_s = config_.point_gain_1_s;
+  r.a_max_m_s2 = limits_.max_acceleration_m_s2;
+  r.yaw_rate_gain_1_s = config_.turn_rate_gain_1_s;
+  r.alpha_max_rad_s2 = r.a_max_m_s2 / config_.control_point_ahead_m;
+  // A wheel turns as fast as its motor at full voltage overcomes friction and its own generator.
+  const double wheel_max_rad_s =
+      (cart_.torque_N_m_V * max_voltage_V_ - cart_.dry_friction_N_m) / cart_.damping_N_m_s;
+  r.limits = {
+      .max_speed_m_s = std::min(limits_.max_speed_m_s, cart_.wheel_radius_m * wheel_max_rad_s),
+      .max_yaw_rate_rad_s = limits_.max_yaw_rate_rad_s,
+      .max_lateral_m_s2 = kLateralShareOfCart * r.a_max_m_s2,
+      .half_track_m = cart_.half_track_m,
+      .turn_gain_1_s = config_.turn_gain_1_s};
+  r.error_at_rest_m = kCartStopErrorAtRest_m;
+  r.error_per_speed_s = kCartStopError_s;
+  return r;
 }
 
 }  // namespace voronaut

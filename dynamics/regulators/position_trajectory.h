@@ -59,6 +59,9 @@ struct PositionTrajectoryConfig {
 //   The axle follows inside of an arc, on the radius sqrt(R^2 - h^2).
 // - One without is driven to in position mode. P aims as far beyond the target as it is ahead of
 //   the axle, so it is the axle that comes to rest there.
+// - An arc commanded is held: v' = clip(point_gain (v_c - v), a), w' = clip(turn_rate_gain (w_c -
+// w),
+//   a/h), the loop of drive_response.h.
 // - What lies behind is turned to on the spot first. Told to stand (speed limit 0), it
 //   brakes and turns to the setpoint's heading; under way it looks where it drives.
 //
@@ -80,7 +83,7 @@ class PositionTrajectory : public Regulator {
   void reset(const VehicleState& state) override;
   Command regulate(const Setpoint& setpoint, const VehicleState& state) override;
   StoppingLaw stopping_law() const override;
-  VelocityResponse velocity_response() const override;
+  MotionResponse motion_response() const override;
 
  private:
   // The cart as the law sees it.
@@ -102,6 +105,7 @@ class PositionTrajectory : public Regulator {
   Rates accelerate(Eigen::Vector2d acceleration_m_s2, const Motion& now) const;
   Rates wanted(const Setpoint& setpoint, const VehicleState& state);
   Rates hold(const Eigen::Vector2d& v_world_m_s, const Motion& now);
+  Rates hold(const ArcCommand& arc, const Motion& now) const;
   // None where the segment has no direction: at the centre of an arc.
   std::optional<Rates> along(const PathSegment& segment, double speed_m_s, const Motion& now);
 

@@ -40,13 +40,22 @@ ompl::base::PlannerPtr make_planner(const NavigatorConfig& config, const Planner
 std::optional<SafetyGovernor> governor_of(const NavigatorConfig& config) {
   if (!config.navigation.governor) return std::nullopt;
   const VehicleFacts& vehicle = config.vehicle;
-  if (!vehicle.velocity_response)
-    throw std::invalid_argument("a governor needs the vehicle's velocity response");
-  if (vehicle.steering != Steering::any_direction)
-    throw std::invalid_argument("a governor is for vehicles that move in any direction");
-  return SafetyGovernor(*vehicle.velocity_response, vehicle.body_radius_m,
+  if (!vehicle.motion_response)
+    throw std::invalid_argument("a governor needs the vehicle's motion response");
+  const bool answers_arcs = std::holds_alternative<DriveResponse>(*vehicle.motion_response);
+  if (answers_arcs != (vehicle.steering == Steering::along_heading))
+    throw std::invalid_argument(
+        "a governor needs a motion response of the kind of the vehicle's steering");
+  return SafetyGovernor(*vehicle.motion_response, vehicle.body_radius_m,
                         vehicle.planning_clearance_m, config.range_finder.period_s,
                         config.mission.bounds_world);
+}
+
+// What turns round on the spot before it drives stands for its sake.
+double stall_timeout_s(const NavigatorConfig& config) {
+  const bool turns_first =
+      config.navigation.governor && config.vehicle.steering == Steering::along_heading;
+  return config.navigation.stall_timeout_s + (turns_first ? kTurnRound_s : 0);
 }
 
 // Tells the observer, if there is one, of a stage for as long as it lives.
@@ -81,7 +90,7 @@ Navigator::Navigator(const NavigatorConfig& config, const PlannerCatalog& planne
                config.vehicle.limits.max_speed_m_s),
       yaw_policy_(config.navigation.yaw_policy, config.mission.start_heading),
       look_around_(config.range_finder.field_of_view_rad),
-      recovery_(config.navigation.stall_timeout_s),
+      recovery_(stall_timeout_s(config)),
       braking_{config.vehicle.velocity_gain_1_s, config.vehicle.deceleration_m_s2,
                config.vehicle.planning_clearance_m},
       governor_(governor_of(config)) {

@@ -37,8 +37,8 @@ namespace voronaut {
 class Navigator {
  public:
   // Throws std::invalid_argument if the catalogue does not have the planner, the planner refuses a
-  // parameter, or a governor is asked for a vehicle that has no velocity response or cannot move
-  // sideways.
+  // parameter, or a governor is asked for a vehicle that has no motion response or one of the other
+  // kind.
   Navigator(const NavigatorConfig& config, const PlannerCatalog& planners);
   Navigator(const Navigator&) = delete;  // the problem points into it
   Navigator& operator=(const Navigator&) = delete;
@@ -83,12 +83,15 @@ class Navigator {
   std::optional<Vec2> nearest_unknown_within_clearance(const Vec2& p_world) const;
   std::optional<Vec2> nearest_within_clearance(const Vec2& p_world) const;
   std::optional<Vec2> unknown_that_holds_back(const VehicleState& state) const;
+  std::optional<Vec2> unknown_to_look_at(const VehicleState& state);
 
   // steering: navigator_steering.cpp
   LookaheadPoint lookahead(const VehicleState& state, double now_s, Setpoint& setpoint);
+  double lookahead_clearance_m() const;
+  bool governs_wheels() const;
   Vec2 repulsive_heading(const Vec2& towards, const Vec2& p_world) const;
   Vec2 kept_within_bounds(const Vec2& towards, const VehicleState& state) const;
-  VelocityCommand govern(const Vec2& v_wanted_m_s, const VehicleState& state, KnownClearance kept);
+  MotionCommand govern(const WantedMotion& wanted, const VehicleState& state, KnownClearance kept);
 
   const NavigatorConfig config_;
   Scan scan_;
@@ -115,6 +118,7 @@ class Navigator {
   std::optional<Vec2> back_off_from_;
   double reduced_clearance_until_s_ = 0;
   std::optional<Vec2> refused_at_;  // by the governor, at the latest scan
+  std::optional<Vec2> looks_at_;    // on wheels: an unknown place that it turns to
   NavigationReport report_;
   NavigationObserver* observer_ = nullptr;
 };

@@ -6,8 +6,8 @@
 #include <string>
 
 #include "voronaut/dynamics/limits.h"
+#include "voronaut/dynamics/motion_response.h"
 #include "voronaut/dynamics/speed_profile.h"
-#include "voronaut/dynamics/velocity_response.h"
 #include "voronaut/environments/shapes/geometry.h"
 #include "voronaut/planners/mapping/obstacle_base.h"
 #include "voronaut/planners/navigation/navigation_config.h"
@@ -50,8 +50,9 @@ struct VehicleFacts {
   double deceleration_m_s2 = 3;
   // How it slows down towards the goal.
   SpeedProfileConfig goal_profile;
-  // How its velocity answers a command; the safety governor needs it and nothing else does.
-  std::optional<VelocityResponse> velocity_response;
+  // How its motion answers a command: velocities where it moves in any direction, arcs where it
+  // drives along its heading. The safety governor needs it and nothing else does.
+  std::optional<MotionResponse> motion_response;
 };
 
 struct RangeFinderFacts {

@@ -1,7 +1,18 @@
+#include <cmath>
+
+#include "voronaut/dynamics/heading.h"
 #include "voronaut/planners/navigation/navigator.h"
 
 // What to do when the vehicle does not get on: which step is recovery.h's to say.
 namespace voronaut {
+
+namespace {
+
+// Shares of half the field of view.
+constexpr double kOutOfView = 0.9;
+constexpr double kWellInView = 0.6;
+
+}  // namespace
 
 // The known point that is closer to p than planners plan.
 std::optional<Vec2> Navigator::nearest_obstacle_within_clearance(const Vec2& p_world) const {
@@ -27,6 +38,23 @@ std::optional<Vec2> Navigator::unknown_that_holds_back(const VehicleState& state
   const bool held_back =
       report_.speed_scale < kHeldBackScale && state.v_world.head<2>().norm() < kHeldBack_m_s;
   return held_back ? refused_at_ : std::nullopt;
+}
+
+// What moves in any direction looks there as it goes. What drives along its heading turns to the
+// place first if it is out of view, on the spot, until it has it well in view.
+std::optional<Vec2> Navigator::unknown_to_look_at(const VehicleState& state) {
+  const auto held_back_by = unknown_that_holds_back(state);
+  if (!governs_wheels()) return held_back_by;
+  const auto off_view = [&](const Vec2& place, double share) {
+    const Vec2 way = place - state.p_world.head<2>();
+    if (way.norm() == 0) return false;
+    const double off_rad = heading_error_rad(state.heading_world(), way.normalized());
+    return std::abs(off_rad) > share * 0.5 * config_.range_finder.field_of_view_rad;
+  };
+  if (!looks_at_ && held_back_by && off_view(*held_back_by, kOutOfView)) looks_at_ = held_back_by;
+  if (looks_at_ && (free_space_.is_free(*looks_at_) || !off_view(*looks_at_, kWellInView)))
+    looks_at_.reset();
+  return looks_at_;
 }
 
 void Navigator::recover(const VehicleState& state, double now_s) {

@@ -15,6 +15,11 @@ constexpr double kNoDirection = 0.1;
 // Beyond what the governor keeps from the bounds, a heading turns inwards within so much.
 constexpr double kRoomToBounds_m = 0.02;
 
+// These lead back to where the vehicle came from: nothing there needs looking at.
+bool leads_back(ExecutiveState state) {
+  return state == ExecutiveState::backing_off || state == ExecutiveState::retracing;
+}
+
 }  // namespace
 
 Setpoint Navigator::steer(const VehicleState& state, double now_s) {
@@ -24,7 +29,7 @@ Setpoint Navigator::steer(const VehicleState& state, double now_s) {
   const Vec2 p = state.p_world.head<2>();
   Setpoint setpoint;
   setpoint.height_m = config_.mission.cruise_height_m;
-  setpoint.heading_world = yaw_policy_.heading(tracker_, p, unknown_that_holds_back(state));
+  setpoint.heading_world = yaw_policy_.heading(tracker_, p, unknown_to_look_at(state));
   const LookaheadPoint ahead = lookahead(state, now_s, setpoint);
   const Vec2 way = ahead.p_world - p;
   const KnownClearance kept = retracing_ || now_s < reduced_clearance_until_s_
@@ -36,12 +41,19 @@ Setpoint Navigator::steer(const VehicleState& state, double now_s) {
   const double speed_m_s =
       speed_limit_m_s(config_.navigation.speed_rule, belief_, towards, braking_,
                       config_.navigation.reaction_time_s, ahead.speed_limit_m_s);
-  if (governor_)
-    setpoint.motion = govern(speed_m_s * towards, state, kept);
-  else if (ahead.end == PathEnd::goal)
+  if (governor_) {
+    const WantedMotion wanted{.v_world = looks_at_ ? Vec2(0, 0) : Vec2(speed_m_s * towards),
+                              .heading_world = setpoint.heading_world,
+                              .yaw_rate_rad_s = setpoint.yaw_rate_rad_s,
+                              .lookahead_m = way.norm(),
+                              .may_reverse = leads_back(report_.executive)};
+    std::visit([&](const auto& command) { setpoint.motion = command; },
+               govern(wanted, state, kept));
+  } else if (ahead.end == PathEnd::goal) {
     setpoint.motion = RestAtTarget{ahead.p_world, speed_m_s};
-  else
+  } else {
     setpoint.motion = PassTarget{ahead.p_world, speed_m_s, ahead.segment};
+  }
   report_.lookahead_world = ahead.p_world;
   report_.setpoint = setpoint;
   return setpoint;
@@ -71,22 +83,35 @@ LookaheadPoint Navigator::lookahead(const VehicleState& state, double now_s, Set
         yaw_policy_.yaw_rate_rad_s(setpoint.heading_world, state.heading_world());
     tracker_.advance(p);
     return tracker_.lookahead(p, state.v_world.head<2>().norm(), belief_.obstacles,
-                              config_.vehicle.planning_clearance_m);
+                              lookahead_clearance_m());
   }
   if (departed) report_.executive = ExecutiveState::without_path;
   return here;
 }
 
-// Closer to a known point than planners plan, a heading also leads away from it.
+// What the way to the lookahead point keeps from known points. A governed vehicle on wheels swings
+// about its path; with all that planners keep, the point would come so near in a passage as wide as
+// they plan for that the swings grow. The governor's margin is room enough for them.
+double Navigator::lookahead_clearance_m() const {
+  const double clearance_m = config_.vehicle.planning_clearance_m;
+  return governs_wheels() ? clearance_m - SafetyGovernor::kKnownMargin_m : clearance_m;
+}
+
+bool Navigator::governs_wheels() const {
+  return governor_ && config_.vehicle.steering == Steering::along_heading;
+}
+
+// Closer to a known point than planners plan, a heading also leads away from it; on wheels, which
+// would have to turn for that, only closer than the governor lets it come.
 Vec2 Navigator::repulsive_heading(const Vec2& towards, const Vec2& p_world) const {
   const auto nearest = nearest_obstacle_within_clearance(p_world);
   if (!governor_ || !nearest) return towards;
   const Vec2 from_nearest = p_world - *nearest;
   const double distance_m = from_nearest.norm();
   if (distance_m == 0) return towards;
-  const double repulsion =
-      std::min(kRepulsionMax, (config_.vehicle.planning_clearance_m - distance_m) /
-                                  SafetyGovernor::kKnownMargin_m);
+  const double too_close_m = lookahead_clearance_m() - distance_m;
+  if (too_close_m <= 0) return towards;
+  const double repulsion = std::min(kRepulsionMax, too_close_m / SafetyGovernor::kKnownMargin_m);
   const Vec2 blended = towards + (repulsion / distance_m) * from_nearest;
   return blended.norm() > kNoDirection ? Vec2(blended.normalized())
                                        : Vec2(from_nearest / distance_m);
@@ -111,14 +136,14 @@ Vec2 Navigator::kept_within_bounds(const Vec2& towards, const VehicleState& stat
   return kept.norm() > kNoDirection ? Vec2(kept.normalized()) : towards;
 }
 
-VelocityCommand Navigator::govern(const Vec2& v_wanted_m_s, const VehicleState& state,
-                                  KnownClearance kept) {
-  const GovernedVelocity& allowed =
-      governor_->allow(v_wanted_m_s, state, free_space_, map_.snapshot(), kept);
+MotionCommand Navigator::govern(const WantedMotion& wanted, const VehicleState& state,
+                                KnownClearance kept) {
+  const GovernedMotion& allowed =
+      governor_->allow(wanted, state, free_space_, map_.snapshot(), kept);
   refused_at_ = allowed.refused_at;
   report_.speed_scale = allowed.speed_scale;
   report_.tube_world = allowed.tube_world;
-  return {allowed.v_world};
+  return allowed.command;
 }
 
 }  // namespace voronaut

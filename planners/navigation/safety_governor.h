@@ -1,13 +1,14 @@
 #pragma once
 
 #include <cstddef>
+#include <memory>
 #include <optional>
 #include <vector>
 
-#include "voronaut/dynamics/velocity_response.h"
-#include "voronaut/environments/shapes/geometry.h"
 #include "voronaut/planners/mapping/free_space/free_space.h"
 #include "voronaut/planners/mapping/obstacle_snapshot.h"
+#include "voronaut/planners/navigation/command_ladder.h"
+#include "voronaut/planners/navigation/stop_tube.h"
 
 namespace voronaut {
 
@@ -16,28 +17,29 @@ namespace voronaut {
 enum class KnownClearance { planned, reduced };
 
 // What the governor allows until the next scan.
-struct GovernedVelocity {
-  Vec2 v_world = Vec2::Zero();  // to be commanded [m/s]
+struct GovernedMotion {
+  MotionCommand command;        // to be held
+  Vec2 v_world = Vec2::Zero();  // of the centre, as commanded [m/s]
   double speed_scale = 1;       // of the speed asked for; 0: brake
-  // Where the body would go: hold the velocity, then brake to rest. Corners of a chain of straight
+  // Where the body would go: hold the command, then brake to rest. Corners of a chain of straight
   // segments, valid until the next call; empty when braking without a track that was proved.
   std::vector<Vec2> tube_world;
   // A place that the next faster tube would have touched and nobody knows to be free. Looked for
-  // only while the vehicle is slow: who stands asks why.
+  // only while the vehicle is slow: who stands asks why. Kept while it turns on the spot.
   std::optional<Vec2> refused_at;
 };
 
-// Lets no planner crash. A velocity is allowed for one period only if the disc that the body sweeps
-// while it holds the velocity and then brakes to rest lies in space that beams have proved free
-// (and away from known points as far as below); else less speed in the same direction, else
-// braking.
+// Lets no planner crash. A command, a velocity for what moves in every direction or an arc for what
+// drives along its heading, is allowed for one period only if the disc that the body sweeps while
+// it holds the command and then brakes to rest lies in space that beams have proved free (and away
+// from known points as far as below); else less speed of the same kind, else braking.
 //
 // Invariant: at every call the track of braking from the present state lies in known-free space. It
-// holds at rest in free space, and each velocity allowed or braked keeps it, for then the rest of a
-// track proved before is flown. So the vehicle never touches anything, if
+// holds at rest in free space, and each command allowed or braked keeps it, for then the rest of a
+// track proved before is driven. So the vehicle never touches anything, if
 //  - the world stands still,
 //  - pose and ranges are exact (an error belongs into the body's radius),
-//  - the vehicle brakes as `response` says, within its error_m, and holds each velocity for hold_s,
+//  - the vehicle brakes as `response` says, within its error_m, and holds each command for hold_s,
 //  - it starts at rest in free space,
 //  - nothing is thinner than the beams' spacing at the range where they pass it, and what stands
 //    there crosses the range finder's plane: tilting does not turn that plane (a levelled sensor).
@@ -58,54 +60,35 @@ class SafetyGovernor {
  public:
   static constexpr double kKnownMargin_m = 0.03;
   static const Bounds kEverywhere;
-  // What is commanded lies beyond the velocity wanted, v + kVelocityGain (wanted - v), so that the
-  // vehicle gets there with a velocity loop kVelocityGain times as fast as its regulator's.
-  static constexpr double kVelocityGain = 1.6;
 
   // `centre_bounds_world`: where the centre may be.
-  SafetyGovernor(const VelocityResponse& response, double body_radius_m,
-                 double planning_clearance_m, double hold_s,
-                 const Bounds& centre_bounds_world = kEverywhere);
+  SafetyGovernor(const MotionResponse& response, double body_radius_m, double planning_clearance_m,
+                 double hold_s, const Bounds& centre_bounds_world = kEverywhere);
 
   // What a track at the present speed keeps from the bounds.
   double room_to_bounds_m(const VehicleState& state) const;
 
-  // The fastest of a few scales of v_wanted_world [m/s] that is safe from `state` on. Zero is
-  // braking, which is always allowed. O(time to rest), a few thousand instructions for each scale
-  // that is looked at: one where nothing is in the way, most often two where something is.
-  const GovernedVelocity& allow(const Vec2& v_wanted_world, const VehicleState& state,
-                                const FreeSpace& free, const ObstacleSnapshot& known,
-                                KnownClearance kept);
+  // The fastest of a few commands towards what is wanted that is safe from `state` on. The slowest
+  // is braking, which is always allowed. O(time to rest), a few thousand instructions for each
+  // command that is looked at: one where nothing is in the way, most often two where something is.
+  const GovernedMotion& allow(const WantedMotion& wanted, const VehicleState& state,
+                              const FreeSpace& free, const ObstacleSnapshot& known,
+                              KnownClearance kept);
 
  private:
-  std::size_t safe_level(const Vec2& v_wanted_world, const PlanarMotion& now, const FreeSpace& free,
-                         const ObstacleSnapshot& known, double keep_m);
-  Vec2 command_at(double speed_scale, const Vec2& v_wanted_world, const PlanarMotion& now) const;
-  double tube_radius_m(double speed_scale, const Vec2& v_wanted_world,
-                       const PlanarMotion& now) const;
-  bool is_safe(double speed_scale, const Vec2& v_wanted_world, const PlanarMotion& now,
-               const FreeSpace& free, const ObstacleSnapshot& known, double keep_m);
-  // What unknown cells the tube touches, a slow command leaves behind.
-  bool departs(const Vec2& v_command_m_s, const PlanarMotion& now, const FreeSpace& free,
-               double radius_m);
-  // The track keeps room_m from the bounds, or leads inwards from where it does not.
-  bool keeps_to_bounds(const Vec2& v_command_m_s, const PlanarMotion& now, double room_m);
-  void straighten_track();
+  std::size_t safe_level(const FreeSpace& free, const ObstacleSnapshot& known, double keep_m);
 
-  VelocityResponse response_;
-  double body_radius_m_;
+  std::unique_ptr<CommandLadder> ladder_;
+  StopTube tube_;
   double keep_from_known_m_;
   double hold_s_;
-  Bounds centre_bounds_world_;
-  Vec2 v_before_ = Vec2::Zero();
-  GovernedVelocity allowed_;
+  GovernedMotion allowed_;
   std::vector<Vec2> track_;            // as predicted
   std::vector<Vec2> corners_;          // its corners
-  std::vector<Vec2> safe_corners_;     // of the largest scale found safe
-  std::vector<Vec2> refused_corners_;  // of the smallest found unsafe
-  std::size_t level_ = 0;              // number of the scale allowed before
-  std::vector<Vec2> unknown_cells_;
-  std::vector<Vec2> outside_;  // a place beyond each side of the bounds that is too close
+  std::vector<Vec2> safe_corners_;     // of the fastest command found safe
+  std::vector<Vec2> refused_corners_;  // of the slowest found unsafe
+  PredictedStop safe_stop_, refused_stop_;
+  std::size_t level_ = 0;  // allowed before
 };
 
 }  // namespace voronaut

@@ -86,7 +86,7 @@ void VoronoiRouter::observe(std::span<const Vec2> points, const Bounds& bounds,
 // when little is added: its sides lie on a grid of its own size.
 Bounds VoronoiRouter::domain_for(std::span<const Vec2> points, std::span<const Vec2> places) const {
   if ((0.5 * (bounds_.max - bounds_.min)).maxCoeff() <= kLargeHalfExtent_m) return bounds_;
-  const double reach_m = clearance_min_m_ + kMargin_m;
+  const double reach_m = planning_clearance_m_ + kMargin_m;
   const Bounds matters = grown(bounds_, reach_m);
   Bounds box{places.front(), places.front()};
   const auto include = [&](const Vec2& p) { box = {box.min.cwiseMin(p), box.max.cwiseMax(p)}; };
@@ -104,7 +104,7 @@ Bounds VoronoiRouter::domain_for(std::span<const Vec2> points, std::span<const V
 // As many times kMargin_m as the lattice of such a domain is coarser than the finest.
 double VoronoiRouter::margin_m(const Bounds& domain) const {
   const double half_frame_m =
-      0.75 * (domain.max - domain.min).maxCoeff() + 4 * (clearance_min_m_ + 4 * kMargin_m);
+      0.75 * (domain.max - domain.min).maxCoeff() + 4 * (planning_clearance_m_ + 4 * kMargin_m);
   return kMargin_m *
          (DelaunayTriangulation::quantum_m(half_frame_m) / DelaunayTriangulation::kQuantum_m);
 }

@@ -1,5 +1,6 @@
 #include "voronaut/dynamics/catalog.h"
 
+#include <cmath>
 #include <initializer_list>
 #include <set>
 #include <stdexcept>
@@ -45,21 +46,27 @@ TEST(Catalog, KnowsTheBodies) {
   EXPECT_EQ(find_vehicle("quadrotor_props").planning_clearance_m, 0.5);
   EXPECT_EQ(find_vehicle("ideal").body_radius_m, 0.25);
   EXPECT_EQ(find_vehicle("cart").body_radius_m, 0.22);
+  // Its hull of 0.458 x 0.416 m lies within the disc, and little else does.
+  EXPECT_NEAR(find_vehicle("jackal").body_radius_m, 0.5 * std::hypot(0.458, 0.416), 1e-3);
+  EXPECT_EQ(find_vehicle("jackal").limits.max_speed_m_s, 2);
   EXPECT_EQ(find_vehicle("cart").limits.max_speed_m_s, 1.25);
 }
 
-TEST(Catalog, TellsWhatACartCannotDo) {
+TEST(Catalog, TellsWhatWheelsCannotDo) {
+  const std::set<std::string> wheeled{"cart", "jackal", "unicycle"};
   for (const std::string& name : vehicle_names()) {
     const Mobility mobility = mobility_of(find_vehicle(name));
-    EXPECT_EQ(mobility.flies, name != "cart") << name;
-    EXPECT_EQ(mobility.moves_sideways, name != "cart") << name;
+    EXPECT_EQ(mobility.flies, wheeled.count(name) == 0) << name;
+    EXPECT_EQ(mobility.moves_sideways, wheeled.count(name) == 0) << name;
   }
 }
 
 TEST(Catalog, NamesEveryEntryOnceInAlphabeticalOrder) {
-  EXPECT_THAT(vehicle_names(), ElementsAre("cart", "ideal", "quadrotor", "quadrotor_props"));
-  EXPECT_THAT(regulator_names(), ElementsAre("cascade_pid", "ideal", "lqr", "paper_literal",
-                                             "pd_rate", "position_trajectory", "se3"));
+  EXPECT_THAT(vehicle_names(),
+              ElementsAre("cart", "ideal", "jackal", "quadrotor", "quadrotor_props", "unicycle"));
+  EXPECT_THAT(regulator_names(),
+              ElementsAre("arc_tracker", "cascade_pid", "ideal", "lqr", "paper_literal", "pd_rate",
+                          "position_trajectory", "se3"));
 }
 
 TEST(Catalog, ListsTheKnownNamesWhenOneIsUnknown) {

@@ -13,8 +13,9 @@ namespace {
 const RegulatorPair kHovering[] = {{"quadrotor", "pd_rate"},       {"quadrotor", "cascade_pid"},
                                    {"quadrotor", "se3"},           {"quadrotor", "lqr"},
                                    {"quadrotor_props", "pd_rate"}, {"ideal", "ideal"}};
-// What hovering asks for beyond that, the cart's own test asks in its place.
-const RegulatorPair kWheeled[] = {{"cart", "position_trajectory"}};
+// What hovering asks for beyond that, the tests of what drives on wheels ask in its place.
+const RegulatorPair kWheeled[] = {
+    {"cart", "position_trajectory"}, {"jackal", "arc_tracker"}, {"unicycle", "arc_tracker"}};
 const RegulatorPair kUnstable[] = {{"quadrotor", "paper_literal"}};
 
 std::string pair_name(const ::testing::TestParamInfo<RegulatorPair>& info) {

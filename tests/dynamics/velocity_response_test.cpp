@@ -78,7 +78,7 @@ double largest_share(CommandedFlight flight, int stops) {
 // The same under commands as the governor gives them, v + 1.6 (wanted - v) with levels of speed
 // that change from one hold to the next: harsher than what random ones come to.
 double largest_governed_share(CommandedFlight flight, int stops) {
-  constexpr double kLead = 1.6;
+  constexpr double kVelocityGain = 1.6;
   constexpr double kScales[] = {0, 0.05, 0.12, 0.25, 0.4, 0.6, 0.8, 1};
   const auto wanted_velocity = [&]() -> Vector2d {
     return flight.uniform(0.3, flight.spec().limits.max_speed_m_s) * flight.direction();
@@ -96,7 +96,8 @@ double largest_governed_share(CommandedFlight flight, int stops) {
         level = std::clamp(level + static_cast<int>(flight.uniform(-2.99, 2.99)), 0, 7);
       const Vector2d v = flight.motion().v_m_s;
       const Vector2d allowed = kScales[level] * wanted;
-      const Vector2d command = level == 0 ? Vector2d(0, 0) : Vector2d(v + kLead * (allowed - v));
+      const Vector2d command =
+          level == 0 ? Vector2d(0, 0) : Vector2d(v + kVelocityGain * (allowed - v));
       if (hold < holds) {
         flight.fly(command, kHold_s);
         before = command;
@@ -174,10 +175,12 @@ TEST(VelocityResponse, PromisesNoStopAtPeriodsAtWhichNobodyFlewThem) {
   EXPECT_THROW(velocity_response(find_regulator("pd_rate"), vehicle, 0.021), std::invalid_argument);
 }
 
-TEST(VelocityResponse, PromisesNoStopForAVehicleThatCannotMoveSideways) {
-  EXPECT_THROW(
-      velocity_response(find_regulator("position_trajectory"), find_vehicle("cart"), kPeriod_s),
-      std::invalid_argument);
+TEST(VelocityResponse, IsNoneOfWhatCannotMoveSideways) {
+  for (const char* name : {"cart", "unicycle"}) {
+    const VehicleSpec spec = find_vehicle(name);
+    EXPECT_THROW(velocity_response(find_regulator(spec.regulator), spec, kPeriod_s),
+                 std::invalid_argument);
+  }
 }
 
 }  // namespace

@@ -119,11 +119,11 @@ TEST(Navigator, GivesOthersWhereItIsToldSomethingElse) {
 
 TEST(Navigator, RefusesAGovernorForAVehicleOfWhichNobodySaysHowItStops) {
   NavigatorConfig config = navigator_config(governed());
-  config.vehicle.velocity_response.reset();
+  config.vehicle.motion_response.reset();
   EXPECT_THROW(Navigator(config, PlannerCatalog::built_in()), std::invalid_argument);
 }
 
-TEST(Navigator, RefusesAGovernorForAVehicleThatCannotMoveSideways) {
+TEST(Navigator, RefusesAGovernorThatAsksForVelocitiesOfWhatDrivesAlongItsHeading) {
   NavigatorConfig config = navigator_config(governed());
   config.vehicle.steering = Steering::along_heading;
   EXPECT_THROW(Navigator(config, PlannerCatalog::built_in()), std::invalid_argument);

@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include "voronaut/tests/dynamics/commanded_drive.h"
 #include "voronaut/tests/dynamics/commanded_flight.h"
 
 namespace voronaut {
@@ -73,6 +74,42 @@ TEST(Departure, BringsNoVehicleCloserThanACentimetreToWhatItLeaves) {
   RecordProperty("quadrotor_m", std::to_string(quadrotor_m));
   RecordProperty("printed_m", std::to_string(printed_m));
   EXPECT_LE(std::max({ideal_m, quadrotor_m, printed_m}), 0.01);
+}
+
+// The same on wheels: arcs, forwards and backwards, and turns on the spot.
+double worst_approach_m(testing::CommandedDrive drive, int departures) {
+  double worst_m = 0;
+  while (departures > 0) {
+    drive.begin();
+    const ArcCommand crept = drive.slow_arc(kDepartureSpeed_m_s);
+    drive.drive(crept, drive.uniform(0, 2));
+    const bool braked = drive.uniform(0, 1) < 0.7;
+    if (braked) drive.drive({}, drive.uniform(0, 1.5));
+    const ArcCommand command = drive.slow_arc(kDepartureSpeed_m_s);
+    const DriveMotion now = drive.motion();
+    std::vector<Vec2> track;
+    drive.response().predict_stop(now, braked ? ArcCommand{} : crept, command, kHold_s, 0.05,
+                                  track);
+    const double bearing_rad = drive.uniform(-3.2, 3.2);
+    const Vec2 place = now.p_m + 0.3 * Vec2(std::cos(bearing_rad), std::sin(bearing_rad));
+    if (!leads_away(command.v_m_s * now.heading, track, std::vector<Vec2>{place})) continue;
+    const Vec2 towards = (place - now.p_m).normalized();
+    for (int i = 0; i < 300; ++i) {
+      drive.step(i * testing::kPeriod_s < kHold_s - 1e-9 ? command : ArcCommand{});
+      worst_m = std::max(worst_m, (drive.motion().p_m - now.p_m).dot(towards));
+    }
+    --departures;
+  }
+  return worst_m;
+}
+
+TEST(Departure, BringsNothingOnWheelsCloserThanACentimetreToWhatItLeaves) {
+  unsigned seed = 0;
+  for (const VehicleSpec& spec : testing::wheeled()) {
+    const double worst_m = worst_approach_m({spec, ++seed}, 3000);
+    RecordProperty(spec.name + "_m", std::to_string(worst_m));
+    EXPECT_LE(worst_m, 0.01) << spec.name;
+  }
 }
 
 // A share of three tenths is what the flights above were tried with.

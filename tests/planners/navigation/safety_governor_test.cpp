@@ -5,120 +5,22 @@
 
 #include <gtest/gtest.h>
 
-#include "voronaut/dynamics/catalog.h"
-#include "voronaut/environments/sensing/range_finder.h"
-#include "voronaut/environments/world.h"
-#include "voronaut/planners/mapping/obstacle_base.h"
 #include "voronaut/tests/planners/mapping/known_points.h"
+#include "voronaut/tests/planners/navigation/dash.h"
 
 namespace voronaut {
 namespace {
 
-constexpr double kPeriod_s = 0.01;
-constexpr int kStepsPerScan = 5;
-constexpr double kBodyRadius_m = 0.25;
-constexpr double kClearance_m = 0.4;
-const Bounds kBounds{Vec2(-5, -5), Vec2(12, 5)};
-
-Shapes wall_at(double x) {
-  Shapes shapes;
-  shapes.segments.push_back({Vec2(x, -4), Vec2(x, 4)});
-  return shapes;
-}
-Shapes post_at(const Vec2& p, double radius_m) {
-  Shapes shapes;
-  shapes.circles.push_back({p, radius_m});
-  return shapes;
-}
-
-// A careless pilot: full speed ahead, straight at a wall, with a governor. What may be wrong with
-// the world, the sensor or the vehicle is set before flying.
-struct Dash {
-  std::string vehicle_name = "ideal";
-  Shapes shapes = wall_at(6);
-  Shapes shapes_later = shapes;  // from later_s on
-  double later_s = 1e9;
-  double range_bias_m = 0;  // added to every return
-  double braking = 1;       // share of the deceleration that the governor counts on
-  double start_speed_m_s = 0;
-  double dead_time_s = 0;  // commands take effect so much later
-  bool governed = true;
-
-  // Smallest clearance of the centre to the true surface over the flight.
-  double clearance_smallest_m() const {
-    VehicleSpec spec = find_vehicle(vehicle_name);
-    const RegulatorConfig regulator_config = find_regulator(spec.regulator);
-    SafetyGovernor governor(velocity_response(regulator_config, spec, kPeriod_s), kBodyRadius_m,
-                            kClearance_m, kStepsPerScan * kPeriod_s);
-    spec.limits.max_acceleration_m_s2 *= braking;
-    spec.limits.max_tilt_rad *= braking;
-    const auto model = make_model(spec.model);
-    const auto pilot = make_regulator(regulator_config, spec, kPeriod_s);
-    const RangeFinder finder{RangeFinderConfig{}};
-    Random random(1);
-    ObstacleBase base({});
-    FreeSpace free(kBounds);
-    free.mark_disc(Vec2(0, 0), kBodyRadius_m);
-    // The start is seen all around, as a look-around at rest does.
-    look_around(finder, random, base, free);
-
-    VehicleState state = model->at_rest({0, 0, 1}, {1, 0});
-    state.v_world.x() = start_speed_m_s;
-    pilot->reset(state);
-    Command pending = model->hold();
-    Setpoint setpoint;
-    setpoint.height_m = 1;
-    std::vector<Vec2> commands;
-    double smallest = std::numeric_limits<double>::infinity();
-    Scan scan;
-    for (int step = 0; step < 600; ++step) {
-      const World world(kBounds, step * kPeriod_s < later_s ? shapes : shapes_later);
-      const Vec2 p = state.p_world.head<2>();
-      if (step % kStepsPerScan == 0) {
-        sense(finder, world, {p, Vec2(1, 0)}, random, scan);
-        base.update(scan);
-        free.update(scan);
-        const Vec2 wanted(2.5, 0);
-        commands.push_back(
-            governed ? governor.allow(wanted, state, free, base.snapshot(), KnownClearance::planned)
-                           .v_world
-                     : wanted);
-        const auto late = static_cast<std::size_t>(dead_time_s / (kStepsPerScan * kPeriod_s) + 0.5);
-        setpoint.motion = VelocityCommand{
-            commands.size() > late ? commands[commands.size() - 1 - late] : Vec2(0, 0)};
-      }
-      smallest = std::min(smallest, world.clearance_m(p));
-      const Command next = pilot->regulate(setpoint, state);
-      state = model->step(state, pending, kPeriod_s);
-      pending = next;
-    }
-    return smallest;
-  }
-
- private:
-  void sense(const RangeFinder& finder, const World& world, const Pose2& pose, Random& random,
-             Scan& scan) const {
-    finder.sense(world, pose, 0, random, scan);
-    for (std::size_t i = 0; i < scan.size(); ++i) {
-      if (scan.is_return(i)) scan.range_m[i] = std::min(scan.range_m[i] + range_bias_m, 2.5);
-    }
-  }
-  void look_around(const RangeFinder& finder, Random& random, ObstacleBase& base,
-                   FreeSpace& free) const {
-    Scan scan;
-    // Overlapping views: a wedge between two of them would stay unknown.
-    for (const Vec2& corner : {Vec2(1, 0), Vec2(1, 1), Vec2(0, 1), Vec2(-1, 1), Vec2(-1, 0),
-                               Vec2(-1, -1), Vec2(0, -1), Vec2(1, -1)}) {
-      const Vec2 heading = corner.normalized();
-      sense(finder, World(kBounds, shapes), {Vec2(0, 0), heading}, random, scan);
-      base.update(scan);
-      free.update(scan);
-    }
-  }
-};
+using testing::command;
+using testing::Dash;
+using testing::kBodyRadius_m;
+using testing::kBounds;
+using testing::kClearance_m;
+using testing::kPeriod_s;
+using testing::kStepsPerScan;
 
 TEST(SafetyGovernor, StopsACarelessPilotBeforeTheWall) {
-  for (const char* name : {"ideal", "quadrotor"}) {
+  for (const char* name : {"ideal", "quadrotor", "unicycle", "jackal", "cart"}) {
     Dash dash;
     dash.vehicle_name = name;
     EXPECT_GE(dash.clearance_smallest_m(), kBodyRadius_m) << name;
@@ -134,8 +36,11 @@ TEST(SafetyGovernor, LetsFullSpeedPassWhereNothingIsInTheWay) {
   FreeSpace free(kBounds);
   free.mark_disc(Vec2(0, 0), 3);
   const VehicleState state = make_model(spec.model)->at_rest({0, 0, 1}, {1, 0});
-  EXPECT_EQ(governor.allow(Vec2(2.5, 0), state, free, {}, KnownClearance::planned).speed_scale, 1);
-  EXPECT_FALSE(governor.allow(Vec2(2.5, 0), state, free, {}, KnownClearance::planned).refused_at);
+  EXPECT_EQ(governor.allow({.v_world = Vec2(2.5, 0)}, state, free, {}, KnownClearance::planned)
+                .speed_scale,
+            1);
+  EXPECT_FALSE(governor.allow({.v_world = Vec2(2.5, 0)}, state, free, {}, KnownClearance::planned)
+                   .refused_at);
 }
 
 TEST(SafetyGovernor, NamesThePlaceThatNobodyKnows) {
@@ -145,8 +50,8 @@ TEST(SafetyGovernor, NamesThePlaceThatNobodyKnows) {
   FreeSpace free(kBounds);
   free.mark_disc(Vec2(0, 0), 0.35);
   const VehicleState state = make_model(find_vehicle("ideal").model)->at_rest({0, 0, 1}, {1, 0});
-  const GovernedVelocity allowed =
-      governor.allow(Vec2(2.5, 0), state, free, {}, KnownClearance::planned);
+  const GovernedMotion allowed =
+      governor.allow({.v_world = Vec2(2.5, 0)}, state, free, {}, KnownClearance::planned);
   EXPECT_LT(allowed.speed_scale, 1);
   ASSERT_TRUE(allowed.refused_at);
   EXPECT_FALSE(free.is_free(*allowed.refused_at));
@@ -161,11 +66,17 @@ TEST(SafetyGovernor, LetsAVehicleLeaveAWallThatItStandsTooCloseTo) {
     FreeSpace free(kBounds);
     free.mark_disc(Vec2(-1, 0), 1.2);  // the body's own disc is not wholly known free
     const VehicleState state = make_model(spec.model)->at_rest({0, 0, 1}, {1, 0});
-    EXPECT_GT(governor.allow(Vec2(-1, 0), state, free, {}, KnownClearance::planned).speed_scale, 0)
+    EXPECT_GT(governor.allow({.v_world = Vec2(-1, 0)}, state, free, {}, KnownClearance::planned)
+                  .speed_scale,
+              0)
         << name;
-    EXPECT_EQ(governor.allow(Vec2(1, 0), state, free, {}, KnownClearance::planned).speed_scale, 0)
+    EXPECT_EQ(governor.allow({.v_world = Vec2(1, 0)}, state, free, {}, KnownClearance::planned)
+                  .speed_scale,
+              0)
         << name;
-    EXPECT_EQ(governor.allow(Vec2(0, 1), state, free, {}, KnownClearance::planned).speed_scale, 0)
+    EXPECT_EQ(governor.allow({.v_world = Vec2(0, 1)}, state, free, {}, KnownClearance::planned)
+                  .speed_scale,
+              0)
         << name;
   }
 }
@@ -186,23 +97,32 @@ double free_way_m(const FreeSpace& free, const Vec2& p, const Vec2& along) {
   return way_m;
 }
 
+// Half the narrowest strip that a governor lets a vehicle into.
+double narrowest_m(const MotionResponse& response) {
+  const VehicleState state = make_model(IdealConfig{})->at_rest({0, 0, 1}, {1, 0});
+  double narrowest_m = 1;
+  for (double half_width_m = 0.2; half_width_m < 0.8; half_width_m += 0.01) {
+    const FreeSpace free = strip(-1, 4, half_width_m);
+    SafetyGovernor governor(response, kBodyRadius_m, kClearance_m, 0.05);
+    if (governor.allow({.v_world = Vec2(1.5, 0)}, state, free, {}, KnownClearance::planned)
+            .speed_scale == 0)
+      continue;
+    for (const Vec2& side : {Vec2(0, 1), Vec2(0, -1)})
+      narrowest_m = std::min(narrowest_m, free_way_m(free, Vec2(0.1, 0), side));
+  }
+  return narrowest_m;
+}
+
 // The edges of what is proved. A tube is as wide as the body and all that it may stray.
 TEST(SafetyGovernor, LeavesRoomForAllThatAStopMayStrayFromItsPrediction) {
   for (const double stray_m : {0.0, 0.1, 0.2, 0.3}) {
-    VelocityResponse response;
-    response.error_at_rest_m = stray_m;
-    const VehicleState state = make_model(IdealConfig{})->at_rest({0, 0, 1}, {1, 0});
-    double narrowest_m = 1;
-    for (double half_width_m = 0.2; half_width_m < 0.8; half_width_m += 0.01) {
-      const FreeSpace free = strip(-1, 4, half_width_m);
-      SafetyGovernor governor(response, kBodyRadius_m, kClearance_m, 0.05);
-      if (governor.allow(Vec2(1.5, 0), state, free, {}, KnownClearance::planned).speed_scale == 0)
-        continue;
-      for (const Vec2& side : {Vec2(0, 1), Vec2(0, -1)})
-        narrowest_m = std::min(narrowest_m, free_way_m(free, Vec2(0.1, 0), side));
+    VelocityResponse velocities;
+    DriveResponse arcs;
+    velocities.error_at_rest_m = arcs.error_at_rest_m = stray_m;
+    for (const MotionResponse& response : {MotionResponse(velocities), MotionResponse(arcs)}) {
+      EXPECT_GE(narrowest_m(response), kBodyRadius_m + stray_m) << response.index();
+      EXPECT_LT(narrowest_m(response), kBodyRadius_m + stray_m + 0.04) << "not at the edge";
     }
-    EXPECT_GE(narrowest_m, kBodyRadius_m + stray_m);
-    EXPECT_LT(narrowest_m, kBodyRadius_m + stray_m + 0.04) << "not at the edge";
   }
 }
 
@@ -212,7 +132,7 @@ double room_left_m(const std::string& name, double hold_s, const FreeSpace& free
                    int periods) {
   const VehicleSpec spec = find_vehicle(name);
   const RegulatorConfig law = find_regulator(spec.regulator);
-  SafetyGovernor governor(velocity_response(law, spec, kPeriod_s), kBodyRadius_m, kClearance_m,
+  SafetyGovernor governor(motion_response(law, spec, kPeriod_s), kBodyRadius_m, kClearance_m,
                           hold_s);
   const auto model = make_model(spec.model);
   const auto pilot = make_regulator(law, spec, kPeriod_s);
@@ -227,8 +147,9 @@ double room_left_m(const std::string& name, double hold_s, const FreeSpace& free
     if (step >= steps_held * periods) {
       setpoint.motion = VelocityCommand{Vec2(0, 0)};
     } else if (step % steps_held == 0) {
-      setpoint.motion = VelocityCommand{
-          governor.allow(Vec2(2.5, 0), state, free, {}, KnownClearance::planned).v_world};
+      command(governor.allow({.v_world = Vec2(2.5, 0)}, state, free, {}, KnownClearance::planned)
+                  .command,
+              setpoint);
     }
     const Command next = pilot->regulate(setpoint, state);
     state = model->step(state, pending, kPeriod_s);
@@ -240,7 +161,7 @@ double room_left_m(const std::string& name, double hold_s, const FreeSpace& free
 
 TEST(SafetyGovernor, StopsShortOfWhatIsUnknownThoughItHoldsEachCommandAsLongAsItMay) {
   constexpr double kHold_s = 0.2;
-  for (const char* name : {"ideal", "quadrotor"}) {
+  for (const char* name : {"ideal", "quadrotor", "unicycle", "jackal", "cart"}) {
     double least_m = 1;
     for (double end_m = 3; end_m < 3.3; end_m += 0.02) {
       const FreeSpace free = strip(-1, end_m, 1);
@@ -260,8 +181,8 @@ TEST(SafetyGovernor, LetsNoVehicleLeaveFastWhatItStandsTooCloseTo) {
   FreeSpace free(kBounds);
   free.mark_disc(Vec2(-1, 0), 1.2);
   const VehicleState state = make_model(spec.model)->at_rest({0, 0, 1}, {1, 0});
-  const GovernedVelocity allowed =
-      governor.allow(Vec2(-2.5, 0), state, free, {}, KnownClearance::planned);
+  const GovernedMotion allowed =
+      governor.allow({.v_world = Vec2(-2.5, 0)}, state, free, {}, KnownClearance::planned);
   EXPECT_GT(allowed.speed_scale, 0);
   EXPECT_LE(allowed.v_world.norm(), 0.4);
 }
@@ -277,7 +198,8 @@ TEST(SafetyGovernor, KeepsTheClearanceOfPlannersButForItsMargin) {
     const auto post = test::base_of({Vec2(0.5, aside_m)});
     VehicleState state = make_model(IdealConfig{})->at_rest({0, 0, 1}, {1, 0});
     state.v_world.x() = 2;
-    return governor.allow(Vec2(2.5, 0), state, free, post->snapshot(), KnownClearance::planned)
+    return governor
+        .allow({.v_world = Vec2(2.5, 0)}, state, free, post->snapshot(), KnownClearance::planned)
         .speed_scale;
   };
   EXPECT_LT(speed_scale_beside(0.365), 1);
@@ -293,8 +215,12 @@ TEST(SafetyGovernor, AtReducedClearanceAsksOnlyForWhatIsKnownFree) {
   const auto posts = test::base_of({Vec2(0.1, 0.35), Vec2(0.1, -0.35)});
   const ObstacleSnapshot known = posts->snapshot();
   const VehicleState state = make_model(find_vehicle("ideal").model)->at_rest({0, 0, 1}, {1, 0});
-  EXPECT_EQ(governor.allow(Vec2(1, 0), state, free, known, KnownClearance::planned).speed_scale, 0);
-  EXPECT_GT(governor.allow(Vec2(1, 0), state, free, known, KnownClearance::reduced).speed_scale, 0);
+  EXPECT_EQ(governor.allow({.v_world = Vec2(1, 0)}, state, free, known, KnownClearance::planned)
+                .speed_scale,
+            0);
+  EXPECT_GT(governor.allow({.v_world = Vec2(1, 0)}, state, free, known, KnownClearance::reduced)
+                .speed_scale,
+            0);
 }
 
 // How far the centre comes out of the bounds at worst [m], negative inside: a pilot who wants to be
@@ -303,7 +229,7 @@ double farthest_out_m(const std::string& name, const Vec2& start, std::uint64_t 
   const Bounds bounds{Vec2(-1, -1), Vec2(1, 1)};
   const VehicleSpec spec = find_vehicle(name);
   const RegulatorConfig regulator_config = find_regulator(spec.regulator);
-  SafetyGovernor governor(velocity_response(regulator_config, spec, kPeriod_s), kBodyRadius_m,
+  SafetyGovernor governor(motion_response(regulator_config, spec, kPeriod_s), kBodyRadius_m,
                           kClearance_m, kStepsPerScan * kPeriod_s, bounds);
   FreeSpace free(kBounds);
   free.mark_disc(Vec2(0, 0), 4);
@@ -320,9 +246,10 @@ double farthest_out_m(const std::string& name, const Vec2& start, std::uint64_t 
   for (int step = 0; step < 6000; ++step) {
     const Vec2 p = state.p_world.head<2>();
     if (step % 100 == 0) wanted = 2.5 * Vec2(random.uniform(-1, 1), random.uniform(-1, 1));
-    if (step % kStepsPerScan == 0)
-      setpoint.motion =
-          VelocityCommand{governor.allow(wanted, state, free, {}, KnownClearance::planned).v_world};
+    if (step % kStepsPerScan == 0) {
+      command(governor.allow({.v_world = wanted}, state, free, {}, KnownClearance::planned).command,
+              setpoint);
+    }
     worst_m = std::max({worst_m, (p - bounds.max).maxCoeff(), (bounds.min - p).maxCoeff()});
     const Command next = pilot->regulate(setpoint, state);
     state = model->step(state, pending, kPeriod_s);
@@ -332,61 +259,17 @@ double farthest_out_m(const std::string& name, const Vec2& start, std::uint64_t 
 }
 
 TEST(SafetyGovernor, HoldsTheCentreWithinTheBoundsAndLetsItLeaveTheirEdgeInwards) {
-  for (const char* name : {"ideal", "quadrotor"}) {
+  for (const char* name : {"ideal", "quadrotor", "unicycle", "jackal", "cart"}) {
     for (const Vec2& start : {Vec2(0, 0), Vec2(-1, 0), Vec2(1, 1), Vec2(0.3, -0.999)}) {
       for (std::uint64_t seed = 1; seed <= 5; ++seed) {
         const double out_m = farthest_out_m(name, start, seed);
-        EXPECT_LE(out_m, start.cwiseAbs().maxCoeff() == 1 ? 1e-9 : 0.0) << name << " " << seed;
+        // Turning on the spot at the very edge, the cart's axle wanders by so much.
+        const double at_edge_m = std::string(name) == "cart" ? 2e-3 : 1e-9;
+        EXPECT_LE(out_m, start.cwiseAbs().maxCoeff() == 1 ? at_edge_m : 0.0) << name << " " << seed;
         EXPECT_GT(out_m, -0.1) << "uses the room there is";
       }
     }
   }
-}
-
-// Each condition of the proof, broken: the vehicle touches.
-TEST(SafetyGovernor, AWorldThatMovesIsNotItsWorld) {
-  Dash dash;
-  dash.shapes = {};
-  dash.shapes_later = wall_at(2.6);
-  dash.later_s = 1.0;
-  EXPECT_LT(dash.clearance_smallest_m(), kBodyRadius_m);
-}
-
-TEST(SafetyGovernor, RangesThatAreTooLongAreNotForgiven) {
-  Dash dash;
-  dash.range_bias_m = 0.5;
-  EXPECT_LT(dash.clearance_smallest_m(), kBodyRadius_m);
-}
-
-TEST(SafetyGovernor, AVehicleThatBrakesWorseThanPromisedTouches) {
-  Dash dash;
-  dash.braking = 0.4;
-  EXPECT_LT(dash.clearance_smallest_m(), kBodyRadius_m);
-}
-
-TEST(SafetyGovernor, ACourseThatActsTooLateIsNotTheCourseThatWasProved) {
-  Dash dash;
-  dash.dead_time_s = 0.6;
-  EXPECT_LT(dash.clearance_smallest_m(), kBodyRadius_m);
-}
-
-TEST(SafetyGovernor, AStartAtFullSpeedBeforeAWallCannotBeMended) {
-  Dash dash;
-  dash.shapes = dash.shapes_later = wall_at(0.9);
-  dash.start_speed_m_s = 2.5;
-  EXPECT_LT(dash.clearance_smallest_m(), kBodyRadius_m);
-}
-
-TEST(SafetyGovernor, APostThinnerThanTheBeamsSpacingSlipsThrough) {
-  Dash dash;
-  // Half way between two beams of one degree: at 2.5 m they are 4.4 cm apart.
-  dash.shapes = post_at(Vec2(4, 0.035), 0.0005);
-  dash.shapes_later = dash.shapes;
-  const double slips = dash.clearance_smallest_m();
-  dash.shapes = post_at(Vec2(4, 0), 0.03);
-  dash.shapes_later = dash.shapes;
-  EXPECT_LT(slips, kBodyRadius_m);
-  EXPECT_GE(dash.clearance_smallest_m(), kBodyRadius_m);
 }
 
 }  // namespace

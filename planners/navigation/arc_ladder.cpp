@@ -1,0 +1,70 @@
+#include "voronaut/planners/navigation/arc_ladder.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace voronaut {
+
+namespace {
+
+constexpr std::array kArcScales = {0.05, 0.12, 0.25, 0.4, 0.6, 0.8, 1.0};
+// Off its heading by more than 10 deg, it rather turns on the spot than go slower than a quarter.
+constexpr double kStraightCosine = 0.985;
+constexpr std::size_t kSlowArcs = 2;
+constexpr std::size_t kTurn = 1;  // level
+
+}  // namespace
+
+void ArcLadder::set_up(const WantedMotion& wanted, const VehicleState& state) {
+  now_ = response_.motion_of(state);
+  const ArcLimits& limits = response_.limits;
+  const double speed_m_s = wanted.v_world.norm();
+  if (speed_m_s == 0) {
+    full_ = turn_ = {
+        0, turn_rate_rad_s(now_.heading, wanted.heading_world, wanted.yaw_rate_rad_s, limits)};
+    return;
+  }
+  const Vec2 towards = wanted.v_world / speed_m_s;
+  const Vec2 way_m = wanted.lookahead_m * towards;
+  const bool backwards = wanted.may_reverse && now_.heading.dot(towards) < 0;
+  const Vec2 front = backwards ? Vec2(-now_.heading) : now_.heading;
+  full_ = backwards ? arc_back_towards(now_.heading, way_m, speed_m_s, now_.v_m_s, limits)
+                    : arc_towards(now_.heading, way_m, speed_m_s, now_.v_m_s, limits);
+  turn_ = {0, full_.v_m_s == 0 ? full_.w_rad_s : turn_rate_rad_s(front, towards, 0, limits)};
+  scales_ = kArcScales;
+  if (front.dot(towards) < kStraightCosine) scales_ = scales_.subspan(kSlowArcs);
+}
+
+std::size_t ArcLadder::top() const {
+  if (leads_on()) return kTurn + scales_.size();
+  return full_.w_rad_s != 0 ? kTurn : 0;
+}
+
+double ArcLadder::speed_scale(std::size_t level) const {
+  if (level > kTurn) return scales_[level - kTurn - 1];
+  return level == kTurn && !leads_on() ? 1 : 0;
+}
+
+ArcCommand ArcLadder::arc(std::size_t level) const {
+  if (level == 0) return {};
+  if (level == kTurn) return turn_;
+  const double scale = speed_scale(level);
+  return {scale * full_.v_m_s, scale * full_.w_rad_s};
+}
+
+PredictedStop ArcLadder::predict(std::size_t level, double hold_s, double sample_s,
+                                 std::vector<Vec2>& track) const {
+  const ArcCommand command = arc(level);
+  response_.predict_stop(now_, before_, command, hold_s, sample_s, track);
+  return {command.v_m_s * now_.heading, std::max(std::abs(command.v_m_s), std::abs(now_.v_m_s)),
+          response_.error_m(now_, command)};
+}
+
+double ArcLadder::speed_m_s() const { return std::abs(now_.v_m_s); }
+
+double ArcLadder::stray_m(const VehicleState& state) const {
+  return response_.error_m(response_.motion_of(state), {});
+}
+
+}  // namespace voronaut

@@ -1,0 +1,14 @@
+#include "voronaut/planners/navigation/command_ladder.h"
+
+#include "voronaut/planners/navigation/arc_ladder.h"
+#include "voronaut/planners/navigation/velocity_ladder.h"
+
+namespace voronaut {
+
+std::unique_ptr<CommandLadder> ladder_of(const MotionResponse& response) {
+  if (const auto* drive = std::get_if<DriveResponse>(&response))
+    return std::make_unique<ArcLadder>(*drive);
+  return std::make_unique<VelocityLadder>(std::get<VelocityResponse>(response));
+}
+
+}  // namespace voronaut

@@ -1,0 +1,83 @@
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "voronaut/benchmarks/episode/episode.h"
+#include "voronaut/benchmarks/runner/run_trial.h"
+#include "voronaut/benchmarks/runner/runner.h"
+#include "voronaut/benchmarks/suite/suite_trials.h"
+#include "voronaut/environments/config/config_node.h"
+
+// Everything on wheels under the governor, from sensing to contact.
+namespace voronaut {
+namespace {
+
+constexpr const char* kWheeled[] = {"unicycle", "jackal", "cart"};
+
+// Every trial of a suite with VoronoiRoadmap, governed.
+std::vector<TrialSpec> governed(const std::string& vehicle, const std::string& scenario,
+                                int repetitions) {
+  const PlannerCatalog planners = PlannerCatalog::built_in();
+  const SuiteConfig suite = read_suite(
+      ConfigNode::parse("suite: s\nseed: 5\nrepetitions: " + std::to_string(repetitions) +
+                            "\nscenarios: [" + scenario + "]\nvehicles: [" + vehicle +
+                            "]\nplanners: [VoronoiRoadmap]\nnavigation: {governor: true, "
+                            "look_around: true, yaw_policy: path, recovery: true}\n",
+                        "s.yaml"),
+      "", planners);
+  std::vector<TrialSpec> specs;
+  SuiteTrials trials(suite);
+  ShortestReferences references = ShortestReferences::exact();
+  while (auto trial = trials.next()) {
+    references.add_to(trial->spec);
+    specs.push_back(trial->spec);
+  }
+  return specs;
+}
+
+EpisodeLog drive(const TrialSpec& spec) {
+  Flight flight(spec, PlannerCatalog::built_in(), false);
+  return fly(flight);
+}
+
+// How far it turns in all, to either side, once it has looked around.
+double turned_rad(const EpisodeLog& log) {
+  double turned_rad = 0;
+  for (std::size_t i = 0; i + 1 < log.ticks.size(); ++i) {
+    if (log.ticks[i].t_s < log.departure_s) continue;
+    turned_rad +=
+        std::abs(log.ticks[i].state.w_body.z()) * (log.ticks[i + 1].t_s - log.ticks[i].t_s);
+  }
+  return turned_rad;
+}
+
+TEST(GovernedWheels, ArriveThroughForestsWithoutAContact) {
+  for (const char* vehicle : kWheeled) {
+    for (const TrialSpec& spec : governed(
+             vehicle, "{name: f, generator: {name: forest, side_m: 10, density_per_m2: 0.1}}", 6)) {
+      const EpisodeLog log = drive(spec);
+      EXPECT_EQ(log.verdict.outcome, Outcome::goal_reached)
+          << vehicle << " " << spec.scenario.name << ": " << log.verdict.reason;
+    }
+  }
+}
+
+// As wide as planners plan for and a centimetre more: there a vehicle that turns away from either
+// side in turn swings about its path until it stands, then turns again: 27 rad in all.
+TEST(GovernedWheels, DriveThroughANarrowGapWithoutTurningToAndFro) {
+  for (const char* vehicle : {"unicycle", "cart",
+                              "{name: jackal, params: {body_radius_m: 0.25, "
+                              "planning_clearance_m: 0.4}}"}) {
+    for (const TrialSpec& spec :
+         governed(vehicle, "{name: g, generator: {name: narrow_gaps, gap_m: 0.81}}", 6)) {
+      const EpisodeLog log = drive(spec);
+      EXPECT_EQ(log.verdict.outcome, Outcome::goal_reached)
+          << vehicle << ": " << log.verdict.reason;
+      EXPECT_LE(turned_rad(log), 9) << vehicle;
+      EXPECT_LT(log.ticks.back().t_s, 25) << vehicle;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace voronaut
