@@ -201,6 +201,7 @@ std::vector<RunRecord> renamed(const std::vector<RunRecord>& rows, const std::st
     if (row.planner != planner) continue;
     all.push_back(row);
     all.back().planner = name;
+    all.back().scenario_group = "all";  // the race pooled them, too
   }
   return all;
 }

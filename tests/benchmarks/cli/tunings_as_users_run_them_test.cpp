@@ -1,8 +1,10 @@
 #include <filesystem>
 #include <fstream>
+#include <set>
 
 #include <gmock/gmock.h>
 
+#include "voronaut/reports/store/store.h"
 #include "voronaut/tests/benchmarks/cli/program_in_folder.h"
 
 namespace voronaut {
@@ -46,6 +48,23 @@ TEST_F(TuningsAsUsersRunThem, TheSuiteThatIsWrittenFliesTheWinnerAmongTheOthers)
                         "range: "));
   EXPECT_THAT(voronaut("check a/tuned.yaml"),
               HasSubstr("suite 'wood', 1 scenarios x 1 vehicles x 2 planners x 6 repetitions"));
+}
+
+TEST_F(TuningsAsUsersRunThem, TheLastWordIsSpokenOnWorldsThatTheRaceHasNotSeen) {
+  voronaut(tune_ + "a");
+  std::set<std::string> raced;
+  const ResultStore race = ResultStore::open(path("a/results.db"));
+  race.for_each_record([&](const RunRecord& record) { raced.insert(record.world_id); });
+  EXPECT_EQ(raced.size(), 6U) << "all candidates meet the same worlds";
+  std::set<std::string> planners;
+  const ResultStore fresh = ResultStore::open(path("a/fresh/results.db"));
+  fresh.for_each_record([&](const RunRecord& record) {
+    EXPECT_FALSE(raced.contains(record.world_id));
+    planners.insert(record.planner);
+  });
+  EXPECT_EQ(fresh.size(), 12U);
+  EXPECT_EQ(planners.size(), 2U);
+  EXPECT_TRUE(planners.contains("mine"));
 }
 
 TEST_F(TuningsAsUsersRunThem, RungsMayBeFlownInShards) {
