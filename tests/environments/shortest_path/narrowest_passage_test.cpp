@@ -54,7 +54,7 @@ TEST(NarrowestPassage, IsNoneWhereNothingIsInTheWayOrNobodyCanStand) {
 TEST(NarrowestPassage, OfAStraightLineThroughMiddlesAndCornersIsFoundToo) {
   // Everything lies on the line from start to goal or at right angles to it.
   Shapes shapes;
-  shapes.circles = {{{0, 0}, 1}, {{0, 3}, 1}, {{0, -3}, 1}, {{0, 6}, 1}, {{0, -6}, 1}};
+  shapes.circles = {{{0, 3}, 1}, {{0, 0}, 1}, {{0, -3}, 1}, {{0, 6}, 1}, {{0, -6}, 1}};
   shapes.segments = {{{-3, 0}, {-2, 0}}, {{2, 0}, {3, 0}}};
   EXPECT_NEAR(narrowest_passage_m({kSquare, shapes}, {-4, 0}, {4, 0}), 1, 1e-12);
   Shapes ring;  // a box around the start

@@ -110,20 +110,23 @@ TEST(Rank, PutsSuccessBeforeThePath) {
 
 TEST(Rank, ComparesWithinAGroupAndWithinThePooledRowsForThemselves) {
   std::vector<RunRecord> records;
-  // 5 pairs of a group differ, which say nothing; 10 over both groups do.
-  for (const char* group : {"forest", "paper"})
+  // 5 pairs of a group differ, which say nothing; 10 over both groups do. Another group comes
+  // first.
+  for (const std::string group : {"alone", "forest", "paper"})
     for (const char* planner : {"a", "b"})
-      for (int i = 0; i < 5; ++i) {
+      for (int i = 0; i < (group == "alone" ? 20 : 5); ++i) {
         RunRecord r = synthetic::make_record(planner + std::to_string(i));
         r.planner = planner;
         r.scenario = r.scenario_group = group;
+        r.vehicle = group == "alone" ? "cart" : r.vehicle;
         r.repetition = i;
         r.outcome = planner == std::string("a") ? Outcome::timeout : Outcome::goal_reached;
         r.path_ratio = r.outcome == Outcome::goal_reached ? 1.1 : kAbsent;
         records.push_back(r);
       }
   const Summary summary = summarise(records);
-  for (const PlannerSummary& one : summary.groups) EXPECT_EQ(one.rank, 1);
+  for (const PlannerSummary& one : summary.groups)
+    EXPECT_EQ(one.rank, one.group.scenario_group == "alone" && one.planner == "a" ? 2 : 1);
   EXPECT_EQ(ranks_of(summary.totals), (Ranks{{"a", 2}, {"b", 1}}));
 }
 
