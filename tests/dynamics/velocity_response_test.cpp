@@ -163,6 +163,24 @@ TEST(VelocityResponse, PredictsTheStopsOfARegulatorThatReadsTheTiltWithinItsErro
   EXPECT_LE(largest_share({find_vehicle("quadrotor"), config, 40}, 3000), 1);
 }
 
+// Where a stop ends that begins tilted back, the way there included.
+TEST(VelocityResponse, PredictsAStopFromFullTiltBetterWhereThePushGrows) {
+  CommandedFlight flight(find_vehicle("quadrotor"), find_regulator("pd_rate"), 1);
+  flight.begin();
+  flight.fly({2.5, 0}, 4);
+  flight.fly({-2.5, 0}, 0.3);
+  VelocityResponse flat = flight.response();
+  EXPECT_GT(flat.push_growth, 1);
+  flat.push_growth = 0;
+  std::vector<Vector2d> track, flat_track;
+  const Vector2d before(-2.5, 0), stop(0, 0);
+  flight.response().predict_stop(flight.motion(), before, stop, 0, kPeriod_s, track);
+  flat.predict_stop(flight.motion(), before, stop, 0, kPeriod_s, flat_track);
+  flight.fly(stop, 6);
+  const Vector2d end = flight.motion().p_m;
+  EXPECT_LT((track.back() - end).norm(), 0.8 * (flat_track.back() - end).norm());
+}
+
 TEST(VelocityResponse, PromisesNoStopForTheUnstableLiteralLaw) {
   EXPECT_THROW(
       velocity_response(find_regulator("paper_literal"), find_vehicle("quadrotor"), kPeriod_s),

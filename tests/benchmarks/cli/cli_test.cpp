@@ -86,7 +86,8 @@ TEST_F(CommandLine, SaysInOneLineWhatIsWrongAndWritesNothing) {
       {"digest empty", "voronaut: empty: no results here (no results.db)\n"},
       {"replay empty abc", "voronaut: empty: no results here (no results.db)\n"},
       {"list colours",
-       "voronaut: WHAT: colours not in {planners,vehicles,regulators,scenarios,suites,results}" +
+       "voronaut: WHAT: colours not in "
+       "{planners,vehicles,regulators,scenarios,suites,results,responses}" +
            help},
       {"check missing.yaml", "voronaut: missing.yaml: no such file\n"},
   };
@@ -122,6 +123,7 @@ TEST_F(CommandLine, ListsWhatThereIs) {
   EXPECT_THAT(voronaut("list planners").out, HasSubstr("RRTConnect"));
   EXPECT_THAT(voronaut("list vehicles").out, HasSubstr("quadrotor_props"));
   EXPECT_THAT(voronaut("list regulators").out, HasSubstr("pd_rate"));
+  EXPECT_THAT(voronaut("list responses").out, HasSubstr("| corrected | se3 |"));
   EXPECT_THAT(voronaut("list scenarios").out, HasSubstr("paper-between"));
   EXPECT_THAT(voronaut("list suites").out, HasSubstr("smoke"));
 }

@@ -207,9 +207,8 @@ TEST(SuiteConfig, SaysInOneLineWhatIsWrong) {
        "s.yaml:3: key 'vehicles[0].regulator': regulator 'ideal' drives the model ideal, which "
        "vehicle 'quadrotor' is not"},
       {suite_with("vehicles", "[{name: quadrotor, regulator: pid}]"),
-       "s.yaml:3: key 'vehicles[0].regulator': no regulator 'pid' (allowed: arc_tracker, ideal, "
-       "paper_literal, "
-       "pd_rate, position_trajectory)"},
+       "s.yaml:3: key 'vehicles[0].regulator': no regulator 'pid' (allowed: arc_tracker, "
+       "cascade_pid, ideal, lqr, paper_literal, pd_rate, position_trajectory, se3)"},
       {suite_with("planners", "[RRTConect]"),
        "s.yaml:4: key 'planners[0]': no planner 'RRTConect' (allowed: " +
            join_names(planner_names()) + "; did you mean 'RRTConnect'?)"},
