@@ -42,6 +42,15 @@ TEST(FreeSpace, KnowsNothingBeforeTheFirstScanAndNothingOutsideItsBounds) {
   EXPECT_FALSE(space.swept_disc_is_free(Vec2(3.9, 0), Vec2(3.9, 0), 0.3));
 }
 
+TEST(FreeSpace, SweptDiscEndsAtTheBorderOfWhatIsKnown) {
+  FreeSpace space(kBounds);
+  space.mark_disc(Vec2(3.5, 0), 1);
+  for (const Vec2& from : {Vec2(3.72, 0), Vec2(3.5, 0.1)}) {
+    EXPECT_TRUE(space.swept_disc_is_free(from, Vec2(3.72, 0), 0.27));
+    EXPECT_FALSE(space.swept_disc_is_free(from, Vec2(3.72, 0), 0.29));
+  }
+}
+
 // A wall may begin right beside the body.
 TEST(FreeSpace, ABodyProvesWhatLiesWhollyWithinItAndNothingBeside) {
   Random random(3);
@@ -254,24 +263,27 @@ TEST(FreeSpace, KnowsExactlyTheCellsThatTheStarOfOneScanCovers) {
 // A star larger than what is drawn at once, in rows that take many words.
 TEST(FreeSpace, KnowsFarViewsToo) {
   const Bounds bounds{Vec2(-700, -700), Vec2(700, 700)};
-  FreeSpace space(bounds);
-  Scan scan = look(Vec2(0.01, 0.02), Vec2(1, 0), {}, kFullCircle_rad, 360);
-  scan.max_range_m = 300;
-  Random random(2);
-  for (double& range_m : scan.range_m)
-    range_m = random.uniform(0, 1) < 0.5 ? 300 : random.uniform(1, 300);
-  space.update(scan);
-  const std::vector<Vec2> outline = outline_of(scan, bounds.min, space.cell_m());
   int free_cells = 0;
-  for (int i = 0; i < 20'000; ++i) {
-    const int column = static_cast<int>(14'000 + random.uniform(-6100, 6100));
-    const int row = static_cast<int>(14'000 + random.uniform(-6100, 6100));
-    const int expected = lies_within(outline, column, row);
-    if (expected == 0) continue;
-    ASSERT_EQ(space.is_free(bounds.min + space.cell_m() * Vec2(column + 0.5, row + 0.5)),
-              expected > 0)
-        << column << ", " << row;
-    free_cells += expected > 0;
+  for (std::uint64_t seed = 1; seed <= 6; ++seed) {
+    FreeSpace space(bounds);
+    Scan scan = look(Vec2(0.01, 0.02), Vec2(1, 0), {}, kFullCircle_rad, 360);
+    scan.max_range_m = 300;
+    Random random(seed);
+    for (double& range_m : scan.range_m)
+      range_m = random.uniform(0, 1) < 0.5 ? 300 : random.uniform(1, 300);
+    space.update(scan);
+    const std::vector<Vec2> outline = outline_of(scan, bounds.min, space.cell_m());
+    for (int i = 0; i < 6'000; ++i) {
+      const int column = static_cast<int>(14'000 + random.uniform(-6100, 6100));
+      // Two beams run along the row of the sensor.
+      const int row = i % 4 ? static_cast<int>(14'000 + random.uniform(-6100, 6100)) : 14'000;
+      const int expected = lies_within(outline, column, row);
+      if (expected == 0) continue;
+      ASSERT_EQ(space.is_free(bounds.min + space.cell_m() * Vec2(column + 0.5, row + 0.5)),
+                expected > 0)
+          << "seed " << seed << " column " << column << " row " << row;
+      free_cells += expected > 0;
+    }
   }
   EXPECT_GT(free_cells, 3000);
 }
