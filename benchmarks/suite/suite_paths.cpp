@@ -153,6 +153,8 @@ ConfigNode with_setting(const ConfigNode& root, const std::string& assignment) {
   const std::string called = "--set " + path;
   if (equals == std::string::npos || equals == 0 || equals + 1 == assignment.size())
     throw ConfigError("--set", 0, "", "expected path=value, got " + in_quotes(assignment));
+  if (head_of(path) == "include")  // whose files are in `root` already
+    throw ConfigError(called, 0, "", "'include' is said in files only");
   return with_value_at(root, path, root.value(assignment.substr(equals + 1), called));
 }
 

@@ -88,6 +88,7 @@ TEST(SuitePaths, ErrorsNameTheArgumentAndTheNearestKey) {
       {"vehicle=ideal", "--set vehicle: 'vehicle' lacks a key"},
       {"suite.name=x", "--set suite.name: 'suite' has no keys (folder/s.yaml:1)"},
       {"rays", "--set: expected path=value, got 'rays'"},
+      {"include=a.yaml", "--set include: 'include' is said in files only"},
       {"rays=", "--set: expected path=value, got 'rays='"},
       {"seed=[", "--set seed"},
   };
