@@ -3,6 +3,7 @@
 // Printed by dynamics/regulators/lqr_gains.py, which says how. Not written by hand.
 
 #include <array>
+#include <cstddef>
 
 namespace voronaut::lqr_gains {
 
@@ -13,7 +14,7 @@ struct Solution {
   std::array<double, N> state_worth;
   double input_worth;
   std::array<double, N> k;
-  std::array<double, N * N> p;
+  std::array<double, std::size_t{N} * N> p;
 };
 
 // clang-format off

@@ -63,14 +63,14 @@ def gains(worth, input_worth):
 def main():
     print("#pragma once\n")
     print("// Printed by dynamics/regulators/lqr_gains.py, which says how. Not written by hand.\n")
-    print("#include <array>\n")
+    print("#include <array>\n#include <cstddef>\n")
     print("namespace voronaut::lqr_gains {\n")
     print("// Of a chain of N integrators: what one unit of the cost is worth in each state and in the")
     print("// input; the gain K; the cost matrix P, row by row.")
     print("template <int N>")
     print("struct Solution {")
     print("  std::array<double, N> state_worth;\n  double input_worth;")
-    print("  std::array<double, N> k;\n  std::array<double, N * N> p;\n};\n")
+    print("  std::array<double, N> k;\n  std::array<double, std::size_t{N} * N> p;\n};\n")
     print("// clang-format off")
     for name, about, worth, input_worth in PROBLEMS:
         k, p = gains(worth, input_worth)
