@@ -121,11 +121,15 @@ TEST(CarResponse, LeadsThroughThePointUnlessThatIsWithinTheTurningCircle) {
   EXPECT_NEAR(behind.v_m_s / behind.w_rad_s, -response.turning_radius_m(), 1e-9);
 }
 
-TEST(CarTracker, HoldsAnArcOnceItIsSteeredTo) {
+TEST(CarTracker, HoldsAnArcOnceItIsSteeredToAndBrakesOnIt) {
   CommandedCar car(1);
   car.drive({-0.8, 0.5}, 3);
+  const double steering_rad = car.motion().steering_rad;
   EXPECT_NEAR(car.motion().v_m_s, -0.8, 1e-6);
   EXPECT_NEAR(std::tan(car.motion().steering_rad) / 0.3302, 0.5 / -0.8, 1e-6);
+  car.drive({}, 3);
+  EXPECT_EQ(car.motion().steering_rad, steering_rad);
+  EXPECT_NEAR(car.motion().v_m_s, 0, 1e-6);
 }
 
 }  // namespace

@@ -78,6 +78,22 @@ TEST(CarLadder, BacksUpNoFartherThanATurningRadius) {
   EXPECT_GT(all_of(ladder).v_m_s, 0);
 }
 
+// Else it would go to and fro on the spot: each part undoes the reason for the one before.
+TEST(CarLadder, KeepsToAPartOfATurnForHalfARadius) {
+  CarLadder ladder = ladder_of_car();
+  const WantedMotion within = to(Vec2(0.1, 0.4));
+  ladder.set_up(within, standing_at(Vec2(0, 0)));
+  ladder.give(0);
+  ladder.set_up(within, standing_at(Vec2(0, 0)));
+  EXPECT_GT(all_of(ladder).v_m_s, 0) << "the way back is not free";
+  ladder.give(ladder.top());
+  ladder.set_up(within, standing_at(Vec2(0.3, 0)));
+  EXPECT_GT(all_of(ladder).v_m_s, 0);
+  ladder.give(ladder.top());
+  ladder.set_up(within, standing_at(Vec2(0.4, 0)));
+  EXPECT_LT(all_of(ladder).v_m_s, 0);
+}
+
 TEST(CarLadder, RetracesBackwards) {
   CarLadder ladder = ladder_of_car();
   WantedMotion back = to(Vec2(-1, 0.2));
