@@ -186,7 +186,7 @@ TEST(SuiteConfig, SaysInOneLineWhatIsWrong) {
       {suite_with("vehicles", "[]"),
        "s.yaml:3: key 'vehicles': expected at least one entry, got none"},
       {suite_with("vehicles", "[quadrotr]"),
-       "s.yaml:3: key 'vehicles[0]': no vehicle 'quadrotr' (allowed: cart, ideal, jackal, "
+       "s.yaml:3: key 'vehicles[0]': no vehicle 'quadrotr' (allowed: car, cart, ideal, jackal, "
        "quadrotor, quadrotor_props, unicycle; did you mean 'quadrotor'?)"},
       {suite_with("vehicles", "[quadrotor, quadrotor]"),
        "s.yaml:3: key 'vehicles[1]': the name 'quadrotor' is taken (line 3); give this one a "
@@ -208,7 +208,7 @@ TEST(SuiteConfig, SaysInOneLineWhatIsWrong) {
        "vehicle 'quadrotor' is not"},
       {suite_with("vehicles", "[{name: quadrotor, regulator: pid}]"),
        "s.yaml:3: key 'vehicles[0].regulator': no regulator 'pid' (allowed: arc_tracker, "
-       "cascade_pid, ideal, lqr, paper_literal, pd_rate, position_trajectory, se3)"},
+       "car_tracker, cascade_pid, ideal, lqr, paper_literal, pd_rate, position_trajectory, se3)"},
       {suite_with("planners", "[RRTConect]"),
        "s.yaml:4: key 'planners[0]': no planner 'RRTConect' (allowed: " +
            join_names(planner_names()) + "; did you mean 'RRTConnect'?)"},
