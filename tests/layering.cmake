@@ -19,7 +19,7 @@ set(allowed_planners
   "environments/shapes/(geometry|shapes|shape_index)[.]h"
   "environments/sensing/(scan|ray_caster)[.]h"
   "environments/config/nearest_name[.]h"
-  "dynamics/(state|path|limits|stopping|speed_profile|heading|velocity_response)[.]h")
+  "dynamics/(state|path|limits|stopping|speed_profile|heading|velocity_response|motion_response)[.]h")
 set(allowed_benchmarks "benchmarks/" "planners/" "environments/" "dynamics/" "reports/")
 # An engine is text: it sees no other room.
 set(alone "benchmarks/engines")

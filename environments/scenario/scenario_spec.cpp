@@ -89,6 +89,7 @@ std::string ScenarioSpec::definition() const {
   ungrouped.group.clear();
   std::string text = canonical_text(ungrouped);
   if (start_heading_rad_) text += "start_heading_rad=" + number_text(*start_heading_rad_) + ";";
+  if (task_.barn_length_m > 0) text += "barn_length_m=" + number_text(task_.barn_length_m) + ";";
   if (generator_) return text + canonical_text(generator_->entries());
   return text + "start " + point_text(start_) + ";goal " + point_text(goal_) + ";" +
          world_text(*world_) + ";";

@@ -29,7 +29,7 @@ TEST(Deflate, RefusesATruncatedStreamTrailingBytesAndGarbage) {
 
 TEST(Deflate, StopsAtTheStatedSize) {
   const std::string bomb = deflate_raw(std::string(10'000'000, 'a'));
-  EXPECT_LT(bomb.size(), 20'000U);
+  EXPECT_LT(bomb.size(), 50'000U);
   EXPECT_THROW(inflate_raw(bomb, 1'000'000), std::invalid_argument);
 }
 

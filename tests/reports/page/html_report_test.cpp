@@ -56,7 +56,7 @@ TEST(ReportData, MatchesTheGoldenText) {
       data.dump(),
       R"({"comparison":null,"folder":"DIR","manifest":{"version":"0.1.0"},"mapping":null,"stored_traces":3,"stored_trials":1,)"
       R"("summary":{"groups":[],"pairings":[],"totals":[]},"title":"golden","traces":{"t1":"//4="},)"
-      R"("trials":{"budget_stops":{"index":[0],"texts":["0"]},"clearance_mean_m":[null],)"
+      R"("trials":{"barn_pace":[null],"barn_score":[null],"barn_time_s":[null],"budget_stops":{"index":[0],"texts":["0"]},"clearance_mean_m":[null],)"
       R"("clearance_smallest_m":[0.51],"cpu_time_s":[null],"duration_s":[0.3],"end_x_m":[null],)"
       R"("end_y_m":[null],"energy_j":[null],"free_share":[null],"map_obstacles":{"index":[0],"texts":["0"]},"map_points":{"index":[0],)"
       R"("texts":["0"]},"mapping_time_us_mean":[null],"mapping_time_us_p99":[null],)"

@@ -62,7 +62,7 @@ TEST(PairedTrials, TakeAFewBytesEach) {
   const RunRecord record = flown("a", "x", 0);
   for (int i = 0; i < 100'000; ++i) pairs.add(record, record);
   EXPECT_EQ(pairs.size(), 100'000);
-  EXPECT_LT((allocated() - before) / 100'000, 220) << "300 MB is what a million may take";
+  EXPECT_LT((allocated() - before) / 100'000, 260) << "300 MB is what a million may take";
 }
 
 TEST(PairedTrials, ResampleWorldsWhereTheyAreMany) {
