@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "voronaut/environments/scenario_files/scenario_reader.h"
+#include "voronaut/tests/support/error_of.h"
 
 namespace voronaut {
 namespace {
@@ -14,17 +15,14 @@ namespace {
 const std::string kBroken = std::string(VORONAUT_SOURCE_DIR) + "/tests/environments/broken/";
 
 // The error as a user sees it who stands in the folder of the broken files.
-std::string error_of(const std::string& file, const DataLocation& data = {}) {
-  try {
+std::string error_in(const std::string& file, const DataLocation& data = {}) {
+  std::string text = error_of<ConfigError>([&] {
     for (const ScenarioSpec& spec : read_scenarios(ConfigNode::read_file(kBroken + file), data))
       spec.instantiate(1);
-  } catch (const ConfigError& error) {
-    std::string text = error.what();
-    for (auto at = text.find(kBroken); at != std::string::npos; at = text.find(kBroken))
-      text.erase(at, kBroken.size());
-    return text;
-  }
-  return "no error";
+  });
+  for (auto at = text.find(kBroken); at != std::string::npos; at = text.find(kBroken))
+    text.erase(at, kBroken.size());
+  return text;
 }
 
 const std::map<std::string, std::string> kMessages = {
@@ -35,6 +33,9 @@ const std::map<std::string, std::string> kMessages = {
     {"bounds_inside_out.yaml",
      "bounds_inside_out.yaml:2: key 'bounds': expected [[xmin, ymin], [xmax, ymax]] with xmin < "
      "xmax and ymin < ymax"},
+    {"bounds_too_wide.yaml",
+     "bounds_too_wide.yaml:2: key 'bounds': expected bounds up to 20000 m each way, got 8 x 20004 "
+     "m"},
     {"bow_tie.yaml",
      "bow_tie.yaml:4: key 'world.polygons[1]': has invalid self-intersections. A self-intersection "
      "point was found at (4, 2)"},
@@ -183,7 +184,7 @@ const std::map<std::string, std::string> kMessages = {
 
 TEST(BrokenScenarios, AreRefusedWithOneExactLine) {
   for (const auto& [file, message] : kMessages) {
-    const std::string error = error_of(file);
+    const std::string error = error_in(file);
     EXPECT_EQ(error, message);
     EXPECT_EQ(error.find('\n'), std::string::npos) << file;
   }
