@@ -39,6 +39,9 @@ struct RunRecord {
   double speed_max_m_s = kAbsent;
   double end_x_m = kAbsent;
   double end_y_m = kAbsent;
+  double barn_time_s = kAbsent;
+  double barn_score = kAbsent;
+  double barn_pace = kAbsent;
   std::int64_t replans = 0;
   std::int64_t state_checks = 0;
   std::int64_t budget_stops = 0;

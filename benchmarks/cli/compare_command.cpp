@@ -5,6 +5,7 @@
 #include "voronaut/benchmarks/cli/commands.h"
 #include "voronaut/benchmarks/results/digest.h"
 #include "voronaut/benchmarks/results/output_folder.h"
+#include "voronaut/benchmarks/results/published_file.h"
 #include "voronaut/benchmarks/results/suite_differences.h"
 #include "voronaut/environments/config/nearest_name.h"
 #include "voronaut/reports/summary/comparison_text.h"
@@ -99,9 +100,25 @@ std::string text_of(const RunComparison& comparison, const std::string& format) 
   return format == "md" ? comparison_markdown(comparison) : comparison_text(comparison);
 }
 
+// Courses of BARN beside what others published of them.
+ExitCode compare_published(const CompareOptions& options, const CommandContext& context) {
+  if (options.folders.size() != 1 || !options.planners.empty())
+    throw std::invalid_argument("compare: --published goes with one folder");
+  if (options.format == "json")
+    throw std::invalid_argument("--published: goes with --format text or md, not json");
+  const BarnComparison comparison = beside_published(
+      OutputFolder::open(options.folders[0]).store().records(), read_published(options.published));
+  if (comparison.differences.empty())
+    throw std::invalid_argument(options.folders[0] + ": no course of BARN that " +
+                                options.published + " has, too");
+  context.out << (options.format == "md" ? barn_markdown(comparison) : barn_text(comparison));
+  return ExitCode::success;
+}
+
 }  // namespace
 
 ExitCode execute(const CompareOptions& options, const CommandContext& context) {
+  if (!options.published.empty()) return compare_published(options, context);
   const bool within = options.planners.size() == 2;
   if (options.folders.size() != (within ? 1U : 2U))
     throw std::invalid_argument("compare: expected two folders, or one with --planners X Y");

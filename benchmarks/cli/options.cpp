@@ -178,6 +178,8 @@ struct Commands {
     compare_command
         ->add_option("--planners", compare.planners, "Two planners of one folder, by label: X Y")
         ->expected(2);
+    compare_command->add_option("--published", compare.published,
+                                "CSV of what others published of BARN's courses (docs/barn.md)");
     compare_command
         ->add_option("--statistics", compare.statistics,
                      "Only these, a,b,... [all but measured times]")

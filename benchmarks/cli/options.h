@@ -88,6 +88,7 @@ struct ReportOptions {
 struct CompareOptions {
   std::vector<std::string> folders;     // before, now; with planners one
   std::vector<std::string> planners;    // two labels, before and now, within one folder
+  std::string published;                // a file of what others published; empty: none
   std::vector<std::string> statistics;  // empty: all that are not measured times
   std::vector<std::string> across;      // keys of the suite that are meant to differ
   double tolerance = 0.02;              // points of a share, relative of the rest

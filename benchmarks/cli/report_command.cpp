@@ -5,6 +5,7 @@
 #include "voronaut/benchmarks/cli/commands.h"
 #include "voronaut/benchmarks/results/mapped_logs.h"
 #include "voronaut/benchmarks/results/output_folder.h"
+#include "voronaut/environments/config/config_node.h"
 #include "voronaut/environments/scenario/scenario_spec.h"
 #include "voronaut/reports/page/html_report.h"
 #include "voronaut/reports/page/mapping_report.h"
@@ -32,6 +33,17 @@ void write(const ReportOptions& options, const CommandContext& context, const st
   context.out << options.out << "\n";
 }
 
+// What `make` makes of a file that voronaut-micro printed; an error names the file.
+template <class Make>
+std::string page_of_benchmarks(const std::string& file, Make&& make) {
+  const std::string json = read_text_file(file);
+  try {
+    return make(json);
+  } catch (const std::invalid_argument& error) {
+    throw std::invalid_argument(file + ": " + error.what());
+  }
+}
+
 // What voronaut-micro printed as JSON, with the recorded lidar that is at hand.
 ExitCode report_mapping(const ReportOptions& options, const CommandContext& context) {
   if (options.format != "html" || !options.compare.empty())
@@ -40,7 +52,10 @@ ExitCode report_mapping(const ReportOptions& options, const CommandContext& cont
   const std::filesystem::path page =
       options.out.empty() ? std::filesystem::path(options.folder).replace_extension(".html")
                           : std::filesystem::path(options.out);
-  write_mapping_report(options.folder, map_logs(data), page);
+  const std::string written = page_of_benchmarks(options.folder, [&](const std::string& json) {
+    return mapping_report("The mapping step", json, map_logs(data));
+  });
+  write_file_atomically(page, written);
   context.out << page.string() << "\n";
   return ExitCode::success;
 }
@@ -49,7 +64,9 @@ ExitCode report_mapping(const ReportOptions& options, const CommandContext& cont
 std::string mapping_beside(const OutputFolder& folder, const ReportOptions& options) {
   const std::filesystem::path micro = folder.file("micro.json");
   if (!std::filesystem::exists(micro)) return {};
-  return mapping_data_json(micro, map_logs(DataLocation::find(options.data).folder));
+  return page_of_benchmarks(micro, [&](const std::string& json) {
+    return mapping_data_json(json, map_logs(DataLocation::find(options.data).folder));
+  });
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "voronaut/benchmarks/episode/barn_challenge.h"
 #include "voronaut/benchmarks/episode/episode.h"
 #include "voronaut/benchmarks/episode/episode_trace.h"
 #include "voronaut/benchmarks/episode/metrics.h"
@@ -29,6 +30,7 @@ void add_metrics(RunRecord& record, const EpisodeLog& log, const Scenario& scena
   record.clearance_smallest_m = clearance_smallest_m(log.ticks);  // while it holds at the goal too
   record.speed_mean_m_s = speed_mean_m_s(flown, log.departure_s);
   record.speed_max_m_s = speed_max_m_s(flown);
+  if (scenario.barn_length_m > 0) add_barn(record, flown, scenario.barn_length_m);
   record.state_digest = state_digest(log.ticks);
 }
 

@@ -27,6 +27,7 @@ RunRecord record_before_flight(const TrialSpec& spec) {
   record.seed = static_cast<std::int64_t>(spec.planner_seed);
   record.shortest_length_m = spec.shortest_length_m;
   record.shortest_at_clearance_m = spec.shortest_at_clearance_m;
+  if (spec.scenario.barn_length_m > 0) record.barn_score = 0;  // until it arrives
   return record;
 }
 

@@ -38,6 +38,8 @@ ConfigEntries task_entries(const TrialSpec& spec) {
                            {"planner_name", spec.planner.name},
                            {"repetition", std::to_string(spec.repetition)},
                            {"planner_seed", std::to_string(spec.planner_seed)}};
+  if (scenario.barn_length_m > 0)
+    entries.emplace_back("barn_length_m", number_text(scenario.barn_length_m));
   if (spec.kind == TrialKind::static_planning) entries.emplace_back("kind", "static");
   return entries;
 }

@@ -22,6 +22,7 @@ struct Course {
   std::string name;
   std::vector<ForeignQuery> queries;  // one without a name: it is called like the course
   std::function<ForeignWorld()> read;
+  double barn_length_m = 0;
 
   std::string name_of(const ForeignQuery& query) const {
     return query.name.empty() ? name : name + "_" + query.name;
@@ -31,8 +32,8 @@ struct Course {
 using Courses = std::vector<Course>;
 
 Courses list_barn(const std::string& folder, const ForeignOptions&) {
-  const auto table =
-      CsvTable::read(folder + "/worlds.csv", {"world", "start_x", "start_y", "goal_x", "goal_y"});
+  const auto table = CsvTable::read(folder + "/worlds.csv", {"world", "start_x", "start_y",
+                                                             "goal_x", "goal_y", "ref_path_len_m"});
   Courses courses;
   for (std::size_t row = 0; row < table.rows(); ++row) {
     std::string number = table.text(row, "world");
@@ -44,12 +45,15 @@ Courses list_barn(const std::string& folder, const ForeignOptions&) {
                   table.number(row, "goal_y", -kFarthestCoordinate, kFarthestCoordinate)};
     std::string file = folder;
     file.append("/obstacles/world_").append(number).append(".csv");
-    courses.push_back({"barn_" + number, {query}, [file] {
+    courses.push_back({"barn_" + number,
+                       {query},
+                       [file] {
                          ForeignWorld world;
                          world.bounds = Bounds{{-4.5, 0}, {0, 14}};
                          world.shapes.circles = read_circles_csv(file);
                          return world;
-                       }});
+                       },
+                       table.number(row, "ref_path_len_m", 0, kFarthestCoordinate)});
   }
   return courses;
 }
@@ -204,7 +208,7 @@ std::vector<DataSetWorld> picked_worlds(const Courses& courses,
                         (meant ? " (did you mean '" + *meant + "'?)" : ""));
     }
     const auto& [course, query] = ways[static_cast<std::size_t>(found - names.begin())];
-    picked.push_back({name, worlds.of(*course), query->start, query->goal});
+    picked.push_back({name, worlds.of(*course), query->start, query->goal, course->barn_length_m});
   }
   return picked;
 }
@@ -239,7 +243,8 @@ std::vector<DataSetWorld> read_data_set(const std::string& name, const DataSetSe
     for (const ForeignQuery& query :
          select_queries(course.queries, selection.queries, *world, course.name))
       if (worlds.size() < limit)
-        worlds.push_back({course.name_of(query), world, query.start, query.goal});
+        worlds.push_back(
+            {course.name_of(query), world, query.start, query.goal, course.barn_length_m});
   }
   return worlds;
 }

@@ -16,6 +16,7 @@ struct DataSetWorld {
   std::shared_ptr<const World> world;
   Vec2 start = Vec2::Zero();
   Vec2 goal = Vec2::Zero();
+  double barn_length_m = 0;  // start, the data set's own path, goal, as the challenge adds them up
 };
 
 // Which worlds of a data set: those of `pick` in its order, or what `queries` selects of each

@@ -20,6 +20,7 @@ struct Scenario {
   Vec2 goal_world = Vec2::Zero();
   Vec2 start_heading = Vec2::UnitX();  // unit; towards the goal unless the source says otherwise
   double goal_tolerance_m = 0.2;
+  double barn_length_m = 0;  // what the BARN challenge counts by; 0: no course of it
 };
 
 }  // namespace voronaut

@@ -38,6 +38,7 @@ Scenario scenario_of(const TaskConfig& task, std::shared_ptr<const World> world,
   scenario.cruise_height_m = task.cruise_height_m;
   scenario.goal_world = goal;
   scenario.goal_tolerance_m = task.goal_tolerance_m;
+  scenario.barn_length_m = task.barn_length_m;
   if (heading_rad)
     scenario.start_heading = unit_vector(*heading_rad);
   else if (start != goal)

@@ -27,6 +27,7 @@ struct TaskConfig {
   double start_height_m = 0;
   double cruise_height_m = 1;
   double goal_tolerance_m = 0.2;
+  double barn_length_m = 0;
 
   template <class Visitor>
   void visit(Visitor& v) {
@@ -38,6 +39,8 @@ struct TaskConfig {
              "Height at which it flies; wheeled vehicles drive at 0");
     v.number("goal_tolerance_m", goal_tolerance_m, 0.01, 10,
              "An arrival is closer to the goal than this");
+    v.number("barn_length_m", barn_length_m, 0, 1e6,
+             "Length that the BARN challenge counts a course by; 0: none, no score");
   }
 };
 

@@ -130,6 +130,7 @@ ScenarioSpecs read_data_set_entry(const ConfigNode& entry, const DataLocation& d
   ScenarioSpecs specs;
   for (const DataSetWorld& read : read_data_set(set, selection, data, place)) {
     task.name = read.name;
+    if (read.barn_length_m > 0) task.barn_length_m = read.barn_length_m;
     specs.push_back(placed_scenario(task, read.world, read.start, read.goal, entry, place));
   }
   return specs;

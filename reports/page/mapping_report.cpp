@@ -1,13 +1,10 @@
 #include "voronaut/reports/page/mapping_report.h"
 
 #include <cmath>
-#include <fstream>
-#include <sstream>
 #include <stdexcept>
 
 #include "voronaut/reports/encoding/json_text.h"
 #include "voronaut/reports/page/html_report.h"
-#include "voronaut/reports/store/atomic_file.h"
 
 namespace voronaut {
 namespace {
@@ -46,20 +43,6 @@ nlohmann::json data_of(const std::string& micro_json, const std::vector<MappedLo
   return data;
 }
 
-// What `make` makes of the file's text; an error names the file.
-template <class Make>
-std::string made_of(const std::filesystem::path& micro_json, Make&& make) {
-  std::ifstream file(micro_json);
-  std::ostringstream text;
-  text << file.rdbuf();
-  if (!file) throw std::invalid_argument(micro_json.string() + ": cannot be read");
-  try {
-    return make(text.str());
-  } catch (const std::invalid_argument& error) {
-    throw std::invalid_argument(micro_json.string() + ": " + error.what());
-  }
-}
-
 }  // namespace
 
 std::string mapping_report(const std::string& title, const std::string& micro_json,
@@ -69,16 +52,8 @@ std::string mapping_report(const std::string& title, const std::string& micro_js
   return page_with(title, json_text(data));
 }
 
-std::string mapping_data_json(const std::filesystem::path& file,
-                              const std::vector<MappedLog>& logs) {
-  return made_of(file, [&](const std::string& text) { return json_text(data_of(text, logs)); });
-}
-
-void write_mapping_report(const std::filesystem::path& micro_json,
-                          const std::vector<MappedLog>& logs, const std::filesystem::path& page) {
-  write_file_atomically(page, made_of(micro_json, [&](const std::string& text) {
-                          return mapping_report("The mapping step", text, logs);
-                        }));
+std::string mapping_data_json(const std::string& micro_json, const std::vector<MappedLog>& logs) {
+  return json_text(data_of(micro_json, logs));
 }
 
 }  // namespace voronaut

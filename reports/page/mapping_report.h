@@ -2,7 +2,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -33,14 +32,7 @@ struct MappedLog {
 std::string mapping_report(const std::string& title, const std::string& micro_json,
                            const std::vector<MappedLog>& logs);
 
-// The same as data of a page: {"micro":..., "logs":[...]}. Throws as mapping_report() does, naming
-// `file`.
-std::string mapping_data_json(const std::filesystem::path& file,
-                              const std::vector<MappedLog>& logs);
-
-// Reads the one file and writes the other. Never half a page. Throws std::invalid_argument naming
-// the file that is wrong.
-void write_mapping_report(const std::filesystem::path& micro_json,
-                          const std::vector<MappedLog>& logs, const std::filesystem::path& page);
+// The same as data of a page: {"micro":..., "logs":[...]}. Throws as mapping_report() does.
+std::string mapping_data_json(const std::string& micro_json, const std::vector<MappedLog>& logs);
 
 }  // namespace voronaut

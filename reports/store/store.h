@@ -33,7 +33,7 @@ namespace voronaut {
 // Every failure is a StoreError that names the file and quotes SQLite.
 class ResultStore {
  public:
-  static constexpr int kSchemaVersion = 3;
+  static constexpr int kSchemaVersion = 4;
 
   using Meta = std::map<std::string, std::string>;
 

@@ -31,17 +31,6 @@ double path_ratio_at_clearance(const RunRecord& record) {
   return record.path_ratio * record.shortest_length_m / record.shortest_at_clearance_m;
 }
 
-// Score of one trial of the BARN challenge since 2024: arrival x OT / clip(AT, 2 OT, 8 OT), at most
-// 0.5, with OT the reference path at 2 m/s and AT the time taken (the-barn-challenge, run.py). Here
-// the reference is the shortest path, and AT includes the look-around before departure.
-double barn_score(const RunRecord& record) {
-  if (record.scenario_group != "barn") return kAbsent;
-  if (record.outcome != Outcome::goal_reached) return 0;
-  const double optimal_s = record.shortest_length_m / 2;
-  if (optimal_s == 0) return 1.0 / 8;  // any time is more than eight times none
-  return optimal_s / std::clamp(record.duration_s, 2 * optimal_s, 8 * optimal_s);
-}
-
 constexpr unsigned kEverywhere = kText | kPage | kSweep | kComparison;
 
 // Name, trials, estimator, value, which way is better, digits, label, where it is shown; then the
@@ -64,7 +53,8 @@ const Statistic kStatistics[] = {
     {"state_checks_median", all, median, &R::state_checks, less, 0, "state checks", kPage | kSweep | kComparison, "How much work is it?", Axis::logarithmic},
     {"planning_time_us_median", moved, median, &R::planning_time_us_mean, less, 1, "planning per scan", kEverywhere, "What does planning cost?", Axis::logarithmic},
     {"step_time_us_median", moved, median, &R::step_time_us_mean, less, 1, "whole step", kPage},
-    {"barn_score_mean", all, mean, barn_score, more, 3, "BARN score", kEvidence, "", Axis::linear, "score of the BARN challenge; a failure counts 0, other worlds have none"},
+    {"barn_score_mean", all, mean, &R::barn_score, more, 3, "BARN score", kText | kPage | kEvidence | kComparison},
+    {"barn_pace_mean", goal_reached, mean, &R::barn_pace, more, 3, "BARN pace", kText | kPage | kEvidence | kComparison},
     // clang-format on
 };
 

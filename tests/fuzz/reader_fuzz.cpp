@@ -14,7 +14,7 @@
 #include "voronaut/environments/formats/ros_map.h"
 #include "voronaut/environments/formats/sdf_world.h"
 #include "voronaut/environments/formats/wkt.h"
-#include "voronaut/environments/scenario/scenario.h"
+#include "voronaut/environments/scenario_files/scenario_reader.h"
 
 // A libFuzzer target for each reader of foreign files: the environment variable VORONAUT_READER
 // names it. Whatever the bytes are, a reader returns a world or throws ConfigError.

@@ -248,6 +248,8 @@ TEST_F(CommandLine, RunsASuiteAndAnswersQuestionsAboutIt) {
   const Answer no_micro = voronaut("report r");
   EXPECT_EQ(no_micro.exit_code, 2);
   EXPECT_THAT(no_micro.err, HasSubstr("micro.json: no list 'benchmarks'"));
+  EXPECT_EQ(voronaut("report r/micro.json").exit_code, 2);
+  EXPECT_FALSE(std::filesystem::exists(path("r/micro.html"))) << "no half a page";
   std::filesystem::remove(path("r/micro.json"));
 
   EXPECT_EQ(voronaut("report r -o page.html --compare voronaut-results/open").out, "page.html\n");

@@ -52,17 +52,14 @@ TEST(EvidencePage, SaysWhichCriterionIsBroken) {
 TEST(EvidencePage, GivesTheWorldsOfBarnTheirOwnScore) {
   SuiteEvidence barn{"real-barn", "Courses", "abc", "2020-01-01T00:00:00Z", "d1", {}, {}};
   RunRecord record;
-  record.scenario_group = "barn";
   record.outcome = Outcome::goal_reached;
-  record.shortest_length_m = 10;  // 5 s at 2 m/s
-  record.duration_s = 20;
-  barn.records.push_back(record);  // 5 / 20
-  record.duration_s = 3;
-  barn.records.push_back(record);  // never more than 0.5
-  record.duration_s = 1000;
-  barn.records.push_back(record);  // never less than 1/8
+  for (const double score : {0.25, 0.5, 0.125}) {
+    record.barn_score = score;
+    barn.records.push_back(record);
+  }
   record.outcome = Outcome::collision;
-  barn.records.push_back(record);  // 0
+  record.barn_score = 0;
+  barn.records.push_back(record);
   const EvidencePage page = evidence_page({barn});
   EXPECT_THAT(page.markdown, HasSubstr("BARN score"));
   EXPECT_THAT(page.markdown, HasSubstr("| 0.219 ["));

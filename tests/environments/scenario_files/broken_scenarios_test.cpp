@@ -90,7 +90,8 @@ const std::map<std::string, std::string> kMessages = {
      "'7'"},
     {"generator_with_start.yaml",
      "generator_with_start.yaml:2: key 'start': unknown key (allowed: generator, "
-     "start_heading_rad, name, group, start_height_m, cruise_height_m, goal_tolerance_m)"},
+     "start_heading_rad, name, group, start_height_m, cruise_height_m, goal_tolerance_m, "
+     "barn_length_m)"},
     {"goal_in_box.yaml", "goal_in_box.yaml:4: key 'goal': (8, 0) lies inside an obstacle"},
     {"goal_out_of_bounds.yaml",
      "goal_out_of_bounds.yaml:4: key 'goal': (8, 4.5) lies outside the bounds (-2, -4) to (10, 4)"},
@@ -105,7 +106,8 @@ const std::map<std::string, std::string> kMessages = {
     {"missing_start.yaml", "missing_start.yaml:1: key 'start': missing"},
     {"misspelt_key.yaml",
      "misspelt_key.yaml:5: key 'cruise_hieght_m': unknown key (allowed: world, bounds, start, "
-     "goal, start_heading_rad, name, group, start_height_m, cruise_height_m, goal_tolerance_m; did "
+     "goal, start_heading_rad, name, group, start_height_m, cruise_height_m, goal_tolerance_m, "
+     "barn_length_m; did "
      "you mean 'cruise_height_m'?)"},
     {"misspelt_source.yaml",
      "misspelt_source.yaml:1: key 'wrold': unknown key (allowed: file, world, world_file, "
@@ -140,7 +142,8 @@ const std::map<std::string, std::string> kMessages = {
      "two_vertices.yaml:1: key 'world.polygons[0]': has fewer than 3 vertices"},
     {"unit_forgotten.yaml",
      "unit_forgotten.yaml:5: key 'cruise_height': unknown key (allowed: world, bounds, start, "
-     "goal, start_heading_rad, name, group, start_height_m, cruise_height_m, goal_tolerance_m; did "
+     "goal, start_heading_rad, name, group, start_height_m, cruise_height_m, goal_tolerance_m, "
+     "barn_length_m; did "
      "you mean 'cruise_height_m'?)"},
     {"unknown_dataset.yaml",
      "unknown_dataset.yaml:1: key 'dataset': expected one of barn, dodgedrone, movingai, mrpb, got "
@@ -170,7 +173,7 @@ const std::map<std::string, std::string> kMessages = {
     {"world_file_option.yaml",
      "world_file_option.yaml:2: key 'unknown': unknown key (allowed: world_file, format, bounds, "
      "start, goal, queries, start_heading_rad, cell_size_m, name, group, start_height_m, "
-     "cruise_height_m, goal_tolerance_m)"},
+     "cruise_height_m, goal_tolerance_m, barn_length_m)"},
     {"world_file_start_and_queries.yaml",
      "world_file_start_and_queries.yaml:3: key 'start': cannot stand beside 'queries'"},
     {"world_file_unrecognised.yaml",

@@ -131,8 +131,9 @@ TEST(Scenario, HasADefinitionThatChangesWithAnythingButTheGroup) {
 TEST(DataSets, GiveOneScenarioForEachWorld) {
   const Folder data("data");
   data.write("barn/worlds.csv",
-             "world,n_cylinders,start_x,start_y,goal_x,goal_y\n1,2,-2.25,3,-2.25,13\n"
-             "20,2,-2.25,3,-2.25,13\n");
+             "world,n_cylinders,start_x,start_y,goal_x,goal_y,ref_path_len_m\n1,2,-2.25,3,-2.25,13,"
+             "12.4312\n"
+             "20,2,-2.25,3,-2.25,13,11.95\n");
   data.write("barn/obstacles/world_001.csv", "x,y,r\n-2,6,0.075\n");
   data.write("barn/obstacles/world_020.csv", "x,y,r\n-2,7,0.075\n-3,7,0.075\n");
   data.write("dodgedrone/index.csv", "env,n_spheres\neasy_0,2\nhard_1,1\n");
@@ -146,6 +147,7 @@ TEST(DataSets, GiveOneScenarioForEachWorld) {
   EXPECT_EQ(barn[1].name(), "barn_020");
   EXPECT_EQ(barn[1].group(), "barn");
   const Scenario world = barn[1].instantiate(0);
+  EXPECT_EQ(world.barn_length_m, 11.95);
   EXPECT_EQ(world.world->shapes().circles.size(), 2U);
   EXPECT_EQ(world.start_heading, Vec2(0, 1));
   EXPECT_EQ(world.goal_world, Vec2(-2.25, 13));

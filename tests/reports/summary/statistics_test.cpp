@@ -19,7 +19,8 @@ std::vector<RunRecord> records() {
   for (std::size_t i = 0; i < 4; ++i) {
     const auto at = static_cast<double>(i);
     RunRecord& r = list[i];
-    r.scenario_group = "barn";
+    r.barn_score = 0.5 - 0.125 * at;  // 0.5, 0.375, 0.25
+    r.barn_pace = 1 - 0.25 * at;      // 1, 0.75, 0.5
     r.outcome = Outcome::goal_reached;
     r.shortest_length_m = 10;
     r.shortest_at_clearance_m = 12.5;
@@ -34,11 +35,13 @@ std::vector<RunRecord> records() {
     r.step_time_us_mean = 100 * at;
   }
   list[3].outcome = Outcome::collision;
+  list[3].barn_score = 0;
+  list[3].barn_pace = kAbsent;
   list[3].path_ratio = kAbsent;
   list[3].spl = 0;
   list[3].clearance_smallest_m = 0.25;
   list[4].outcome = Outcome::infeasible;
-  list[4].scenario_group = "barn";
+  list[4].barn_score = 0;
   return list;
 }
 
@@ -70,7 +73,8 @@ TEST(Statistics, EveryOneEqualsWhatIsWorkedOutByHand) {
       {"state_checks_median", {100, 5}},
       {"planning_time_us_median", {15, 4}},
       {"step_time_us_median", {150, 4}},
-      {"barn_score_mean", {(0.25 + 5.0 / 30 + 0.125) / 5, 5}},  // 5 s at 2 m/s
+      {"barn_score_mean", {0.225, 5}},  // 1.125 / 5
+      {"barn_pace_mean", {0.75, 3}},
   };
   const auto list = records();
   ASSERT_EQ(by_hand.size(), statistics().size());

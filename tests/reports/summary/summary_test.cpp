@@ -65,19 +65,6 @@ TEST(PathRatio, AtClearanceIsThatOfTheBodyWhereStartAndGoalAreOnePlace) {
   EXPECT_DOUBLE_EQ(value_of(at_clearance, here), 0.8);
 }
 
-TEST(BarnScore, IsThatOfTheSlowestWhereThereWasNothingToDo) {
-  RunRecord r = trial("a", "paper-1", 0, Outcome::goal_reached, 1.0);
-  r.scenario_group = "barn";
-  r.shortest_length_m = 10;
-  const Statistic& barn = statistic("barn_score_mean");
-  for (const auto& [duration_s, score] : {std::pair(5.0, 0.5), {20.0, 0.25}, {80.0, 0.125}}) {
-    r.duration_s = duration_s;
-    EXPECT_DOUBLE_EQ(value_of(barn, r), score);
-  }
-  r.shortest_length_m = 0;
-  EXPECT_DOUBLE_EQ(value_of(barn, r), 0.125);
-}
-
 TEST(Summary, ATrialThatNeverStartedCountsZeroInTheSpl) {
   RunRecord never = trial("a", "paper-1", 1, Outcome::crash);
   never.spl = kAbsent;
