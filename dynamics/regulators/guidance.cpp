@@ -15,16 +15,16 @@ Eigen::Vector2d desired_velocity(const Setpoint& setpoint, const VehicleState& s
                                  const SpeedProfile& profile, double max_speed_m_s) {
   if (const auto* command = std::get_if<VelocityCommand>(&setpoint.motion))
     return command->v_world_m_s;
-  if (const auto* arc = std::get_if<ArcCommand>(&setpoint.motion))
-    return arc->v_m_s * state.heading_world();
   const Eigen::Vector2d p = state.p_world.head<2>();
   if (const auto* rest = std::get_if<RestAtTarget>(&setpoint.motion))
     return profile.velocity_m_s(rest->p_world - p, std::min(rest->speed_limit_m_s, max_speed_m_s));
-  const PassTarget& pass = std::get<PassTarget>(setpoint.motion);
-  const Eigen::Vector2d to_target = pass.p_world - p;
-  const double distance_m = to_target.norm();
-  if (distance_m == 0) return Eigen::Vector2d::Zero();
-  return to_target * (std::min(pass.speed_limit_m_s, max_speed_m_s) / distance_m);
+  if (const auto* pass = std::get_if<PassTarget>(&setpoint.motion)) {
+    const Eigen::Vector2d to_target = pass->p_world - p;
+    const double distance_m = to_target.norm();
+    if (distance_m == 0) return Eigen::Vector2d::Zero();
+    return to_target * (std::min(pass->speed_limit_m_s, max_speed_m_s) / distance_m);
+  }
+  return std::get<ArcCommand>(setpoint.motion).v_m_s * state.heading_world();
 }
 
 double desired_climb_m_s(const Setpoint& setpoint, const VehicleState& state, double gain_1_s) {

@@ -80,14 +80,28 @@ TEST(ArcLadder, LooksWhereItIsToldWhileItStays) {
   EXPECT_LT(arc_of(motion).w_rad_s, -1);
 }
 
-// A quarter of an arc that is not free is turned to instead, so that what follows is straight.
-TEST(ArcLadder, TurnsFirstWhereAnArcIsNotFree) {
+// What is not free at a quarter of the speed is turned to instead, so that what follows is
+// straight.
+TEST(ArcLadder, TurnsFirstWhereItCouldOnlyCreepAlongAnArc) {
   const Vec2 off = Vec2(1, 0.6).normalized();
-  const GovernedMotion motion = allowed({.v_world = off, .lookahead_m = 0.3}, at_rest(), 0.3);
-  EXPECT_EQ(arc_of(motion).v_m_s, 0);
-  EXPECT_GT(arc_of(motion).w_rad_s, 0.5);
-  EXPECT_EQ(motion.speed_scale, 0);
-  EXPECT_TRUE(motion.refused_at);
+  const WantedMotion wanted{.v_world = off, .lookahead_m = 0.3};
+  const double full_m_s = arc_of(allowed(wanted, at_rest())).v_m_s;
+  int turned = 0, drove = 0;
+  for (double free_radius_m = 0.26; free_radius_m < 0.36; free_radius_m += 0.002) {
+    SafetyGovernor governor(response(), kBodyRadius_m, kClearance_m, kHold_s);
+    FreeSpace free(kBounds, {.cell_m = 0.01});
+    free.mark_disc(Vec2(0, 0), free_radius_m);
+    const GovernedMotion motion =
+        governor.allow(wanted, at_rest(), free, {}, KnownClearance::planned);
+    const ArcCommand arc = arc_of(motion);
+    EXPECT_TRUE(arc.v_m_s == 0 || arc.v_m_s > 0.24 * full_m_s) << free_radius_m;
+    EXPECT_GT(arc.w_rad_s, 0) << free_radius_m;
+    EXPECT_EQ(motion.speed_scale == 0, arc.v_m_s == 0) << free_radius_m;
+    EXPECT_TRUE(arc.v_m_s > 0 || motion.refused_at) << free_radius_m;
+    ++(arc.v_m_s == 0 ? turned : drove);
+  }
+  EXPECT_GT(turned, 0);
+  EXPECT_GT(drove, 0);
 }
 
 TEST(ArcLadder, ReversesOnlyIfItMay) {
