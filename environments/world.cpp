@@ -13,6 +13,8 @@ Bounds checked(const Bounds& bounds) {
     throw std::invalid_argument("bounds are not finite");
   }
   if (size_m.x() <= 0 || size_m.y() <= 0) throw std::invalid_argument("bounds have no area");
+  if (size_m.maxCoeff() > kWidestBounds_m)
+    throw std::invalid_argument("bounds are wider than 20 km");
   return bounds;
 }
 

@@ -5,13 +5,16 @@
 
 namespace voronaut {
 
+// The widest bounds: maps and diagrams know places of a mission to a fraction of a millimetre.
+inline constexpr double kWidestBounds_m = 20'000;
+
 // The ground truth: obstacles within bounds. Never changes, so any number of trials may share one
 // behind a shared_ptr. The bounds limit the centre of a vehicle: sensors do not see them, but one
 // that leaves them has failed.
 class World {
  public:
-  // Throws std::invalid_argument on bounds that are not finite or have no area, and as validated()
-  // does. Shapes may reach across the bounds. O(shapes).
+  // Throws std::invalid_argument on bounds that are not finite, have no area or are wider than
+  // kWidestBounds_m, and as validated() does. Shapes may reach across the bounds. O(shapes).
   World(const Bounds& bounds, Shapes shapes);
 
   const Bounds& bounds() const { return bounds_; }

@@ -81,7 +81,37 @@ struct GroundTruthCollisionChecker::Body {
   explicit Body(double radius_m)
       : cylinder(std::make_shared<fcl::Cylinderd>(radius_m, kBodyHeight_m),
                  fcl::Transform3d::Identity()) {}
+
+  bool touches(const FclScene& scene, const Vec2& p_world) {
+    cylinder.setTransform(at(p_world));
+    cylinder.computeAABB();
+    return scene.touches(cylinder);
+  }
+
   fcl::CollisionObjectd cylinder;
+};
+
+// A body around the body: as long as it touches nothing where it stands, what moves within it does
+// not either.
+struct GroundTruthCollisionChecker::Surroundings {
+  explicit Surroundings(double radius_m) : body(radius_m + kRoom_m) {}
+
+  // True: nothing touches a body at p, says the larger one. False: ask the body itself.
+  bool are_clear(const FclScene& scene, const Vec2& p_world) {
+    const double moved_sq = (p_world - center_world).squaredNorm();
+    const double holds_m = clear ? kRoom_m - kTolerance_m : kAgain_m;
+    if (moved_sq < holds_m * holds_m) return clear;
+    center_world = p_world;
+    clear = !body.touches(scene, p_world);
+    return clear;
+  }
+
+  static constexpr double kRoom_m = 0.25;
+  static constexpr double kTolerance_m = 1e-3;  // FCL's is 1e-5
+  static constexpr double kAgain_m = 0.1;       // moved before it is asked once more
+  Body body;
+  Vec2 center_world = Vec2::Constant(kInfinity);
+  bool clear = false;
 };
 
 GroundTruthCollisionChecker::GroundTruthCollisionChecker(const Shapes& shapes, double body_radius_m)
@@ -89,14 +119,15 @@ GroundTruthCollisionChecker::GroundTruthCollisionChecker(const Shapes& shapes, d
 
 GroundTruthCollisionChecker::GroundTruthCollisionChecker(
     std::shared_ptr<const CollisionScene> scene, double body_radius_m)
-    : scene_(std::move(scene)), body_(std::make_unique<Body>(body_radius_m)) {}
+    : scene_(std::move(scene)),
+      body_(std::make_unique<Body>(body_radius_m)),
+      surroundings_(std::make_unique<Surroundings>(body_radius_m)) {}
 
 GroundTruthCollisionChecker::~GroundTruthCollisionChecker() = default;
 
 bool GroundTruthCollisionChecker::touches(const Vec2& p_world) const {
-  body_->cylinder.setTransform(at(p_world));
-  body_->cylinder.computeAABB();
-  return static_cast<const FclScene&>(*scene_).touches(body_->cylinder);
+  const auto& scene = static_cast<const FclScene&>(*scene_);
+  return !surroundings_->are_clear(scene, p_world) && body_->touches(scene, p_world);
 }
 
 }  // namespace voronaut

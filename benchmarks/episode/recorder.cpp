@@ -8,7 +8,7 @@
 namespace voronaut {
 
 Recorder::Recorder(const World& world, Navigator& navigator, bool keep_scans)
-    : world_(world), navigator_(navigator), keep_scans_(keep_scans) {
+    : clearance_(world.index()), navigator_(navigator), keep_scans_(keep_scans) {
   navigator_.observe(this);
 }
 
@@ -45,7 +45,7 @@ void Recorder::path_adopted(const Path& path) {
 }
 
 void Recorder::record_tick(double now_s, const VehicleState& state) {
-  log_.ticks.push_back({now_s, state, world_.clearance_m(state.p_world.head<2>())});
+  log_.ticks.push_back({now_s, state, clearance_.at(state.p_world.head<2>())});
 }
 
 void Recorder::record_scan() {

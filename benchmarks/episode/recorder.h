@@ -1,6 +1,7 @@
 #pragma once
 
 #include "voronaut/benchmarks/episode/episode_log.h"
+#include "voronaut/environments/shapes/clearance_along.h"
 #include "voronaut/environments/world.h"
 #include "voronaut/planners/navigation/navigator.h"
 
@@ -29,7 +30,7 @@ class Recorder : public NavigationObserver {
   void keep_for_replay(ScanEvent& event);
   int mode_of_scan(const NavigationReport& report);
 
-  const World& world_;
+  ClearanceAlong clearance_;
   Navigator& navigator_;
   bool keep_scans_;
   bool scanned_ = false;  // in the step under way

@@ -132,9 +132,13 @@ class KnownFree : public CountedWork {
 
 class GovernedTrial : public CountedWork {
  public:
+  explicit GovernedTrial(double rim_m) : rim_(Vec2::Constant(rim_m)) {}
   bool prepare() override {
     if (seed_ == kTrials) return false;
     spec_ = governed_trial("ideal", kForest, ++seed_);
+    const World& world = *spec_.scenario.world;
+    spec_.scenario.world = std::make_shared<const World>(
+        Bounds{world.bounds().min - rim_, world.bounds().max + rim_}, world.shapes());
     spec_.contacts = CollisionScene::of(spec_.scenario.world->shapes());
     return true;
   }
@@ -149,6 +153,7 @@ class GovernedTrial : public CountedWork {
   PlannerCatalog planners_ = PlannerCatalog::built_in();
   TrialSpec spec_;
   std::uint64_t seed_ = 0;
+  Vec2 rim_;
 };
 
 }  // namespace
@@ -163,9 +168,9 @@ std::unique_ptr<CountedWork> make_known_free() {
   return std::make_unique<KnownFree>();
 }
 
-std::unique_ptr<CountedWork> make_governed_trial() {
+std::unique_ptr<CountedWork> make_governed_trial(double rim_m) {
   ompl::msg::setLogLevel(ompl::msg::LOG_NONE);
-  return std::make_unique<GovernedTrial>();
+  return std::make_unique<GovernedTrial>(rim_m);
 }
 
 }  // namespace voronaut::micro

@@ -18,7 +18,8 @@ std::unique_ptr<CountedWork> make_governed_cycle();
 std::unique_ptr<CountedWork> make_known_free();
 
 // Ten trials of a point mass in such forests from their definition to their row, per vehicle step:
-// everything but world and references, which trials share.
-std::unique_ptr<CountedWork> make_governed_trial();
+// everything but world and references, which trials share. The bounds are wider by rim_m all
+// around.
+std::unique_ptr<CountedWork> make_governed_trial(double rim_m);
 
 }  // namespace voronaut::micro

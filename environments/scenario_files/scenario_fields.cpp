@@ -11,6 +11,7 @@
 #include "voronaut/environments/config/nearest_name.h"
 #include "voronaut/environments/formats/csv_table.h"
 #include "voronaut/environments/scenario_files/scenario_keys.h"
+#include "voronaut/environments/world.h"
 
 namespace voronaut {
 namespace {
@@ -38,6 +39,10 @@ Bounds read_bounds(const ConfigNode& node) {
   Bounds bounds{read_point(corners[0]), read_point(corners[1])};
   if (!(bounds.min.array() < bounds.max.array()).all())
     throw node.error("expected [[xmin, ymin], [xmax, ymax]] with xmin < xmax and ymin < ymax");
+  const Vec2 size_m = bounds.max - bounds.min;
+  if (size_m.maxCoeff() > kWidestBounds_m)
+    throw node.error("expected bounds up to " + number_text(kWidestBounds_m) + " m each way, got " +
+                     number_text(size_m.x()) + " x " + number_text(size_m.y()) + " m");
   return bounds;
 }
 

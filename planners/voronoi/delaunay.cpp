@@ -18,6 +18,7 @@ void DelaunayTriangulation::reset(const Bounds& frame) {
                                 std::to_string(2 * half.y()) + " m; allowed: more than 0, up to " +
                                 std::to_string(2 * kMaxHalfExtent_m) + " m each way");
   origin_world_ = 0.5 * (frame.min + frame.max);
+  quantum_m_ = quantum_m(half.maxCoeff());
   lattice_.clear();
   site_.clear();
   leaving_.clear();
@@ -25,6 +26,7 @@ void DelaunayTriangulation::reset(const Bounds& frame) {
   twin_.clear();
   center_.clear();
   center_known_.clear();
+  state_.clear();
   latest_ = 0;
 
   const Lattice lo = to_lattice(frame.min);
@@ -84,7 +86,7 @@ SiteId DelaunayTriangulation::insert(const Vec2& p) {
 
 Vec2 DelaunayTriangulation::rounded(const Vec2& p) const {
   const Lattice q = to_lattice(p);
-  return origin_world_ + kQuantum_m * Vec2(q.x, q.y);
+  return origin_world_ + quantum_m_ * Vec2(q.x, q.y);
 }
 
 TriangleId DelaunayTriangulation::locate(const Vec2& p) const {
@@ -120,14 +122,14 @@ const Vec2& DelaunayTriangulation::circumcenter(TriangleId t) const {
 }
 
 DelaunayTriangulation::Lattice DelaunayTriangulation::to_lattice(const Vec2& p) const {
-  const Vec2 scaled = (p - origin_world_) / kQuantum_m;
+  const Vec2 scaled = (p - origin_world_) / quantum_m_;
   return {static_cast<std::int32_t>(std::nearbyint(scaled.x())),
           static_cast<std::int32_t>(std::nearbyint(scaled.y()))};
 }
 
 SiteId DelaunayTriangulation::add_site(const Lattice& q) {
   lattice_.push_back(q);
-  site_.push_back(origin_world_ + kQuantum_m * Vec2(q.x, q.y));
+  site_.push_back(origin_world_ + quantum_m_ * Vec2(q.x, q.y));
   leaving_.push_back(-1);
   return static_cast<SiteId>(site_.size()) - 1;
 }
@@ -141,6 +143,7 @@ TriangleId DelaunayTriangulation::add_triangle(SiteId a, SiteId b, SiteId c) {
   }
   center_.push_back(Vec2::Zero());
   center_known_.push_back(0);
+  state_.push_back(++states_);
   return triangle(h);
 }
 
@@ -217,7 +220,7 @@ Vec2 DelaunayTriangulation::compute_circumcenter(TriangleId t) const {
   const auto x = static_cast<double>(cy * b_sq - by * c_sq);
   const auto y = static_cast<double>(bx * c_sq - cx * b_sq);
   const auto divisor = 2 * static_cast<double>(bx * cy - by * cx);
-  return site_[i] + kQuantum_m * Vec2(x / divisor, y / divisor);
+  return site_[i] + quantum_m_ * Vec2(x / divisor, y / divisor);
 }
 
 }  // namespace voronaut

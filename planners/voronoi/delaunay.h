@@ -11,9 +11,10 @@
 // flips (Guibas and Stolfi, ACM TOG 4(2), 1985, https://doi.org/10.1145/282918.282923). Its dual is
 // the Voronoi diagram. A snapshot that grew by a few points costs a few insertions, not a rebuild.
 //
-// Exact: points are rounded to a lattice of kQuantum_m relative to a local origin, so every
-// predicate has integer arguments; a floating-point filter answers most, 128-bit integers the rest.
-// Rounding moves a point by at most kRounding_m; points that round to the same place are one site.
+// Exact: points are rounded to a lattice relative to a local origin, so every predicate has integer
+// arguments; a floating-point filter answers most, 128-bit integers the rest. Points that round to
+// the same place are one site. The lattice's step is kQuantum_m for frames up to 10 km wide, and
+// twice or four times that for those up to 20 and 40 km.
 namespace voronaut {
 
 using SiteId = std::int32_t;
@@ -23,14 +24,25 @@ using TriangleId = std::int32_t;
 class DelaunayTriangulation {
  public:
   static constexpr double kQuantum_m = 1e-5;
-  static constexpr double kRounding_m = 0.5001e-5 * 1.41421356237309515;
-  // Half the side of the largest frame: products of three differences must fit 128 bits.
-  static constexpr double kMaxHalfExtent_m = 5000;
+  // In quanta: how far rounding moves a point at most.
+  static constexpr double kRounding = 0.5001 * 1.41421356237309515;
+  // Half the side of the largest frame of the finest lattice, in quanta: products of three
+  // differences must fit 128 bits.
+  static constexpr double kMaxHalfExtent = 5e8;
+  static constexpr double kMaxHalfExtent_m = 4 * kMaxHalfExtent * kQuantum_m;
   static constexpr SiteId kFrameSites = 4;
 
   // An empty frame: two triangles between its corners, which are the sites 0 to 3. The lattice's
   // origin is the centre of the frame. Throws std::invalid_argument if the frame is too large.
   void reset(const Bounds& frame);
+
+  // The step of the lattice for a frame of this half side.
+  static double quantum_m(double half_extent_m) {
+    double quantum_m = kQuantum_m;
+    while (half_extent_m > kMaxHalfExtent * quantum_m && quantum_m < 4 * kQuantum_m) quantum_m *= 2;
+    return quantum_m;
+  }
+  double quantum_m() const { return quantum_m_; }
 
   // Site of a point strictly inside the frame; an old one if they coincide after rounding. Expected
   // O(1) flips, and a walk from the place of the latest insertion.
@@ -64,6 +76,10 @@ class DelaunayTriangulation {
   // Remembered until the triangle changes.
   const Vec2& circumcenter(TriangleId t) const;
 
+  // Differs from that of every other triangle, and from what it was before the corners or their
+  // order changed.
+  std::uint64_t state(TriangleId t) const { return state_[t]; }
+
   // Calls f(half-edge leaving s) around a site, counter-clockwise; all of them for a site that is
   // no frame corner.
   template <class F>
@@ -96,11 +112,15 @@ class DelaunayTriangulation {
   void legalise(HalfEdgeId h);
   void flip(HalfEdgeId h);
   bool must_flip(HalfEdgeId h) const;
-  void touch(TriangleId t) { center_known_[t] = 0; }
+  void touch(TriangleId t) {
+    center_known_[t] = 0;
+    state_[t] = ++states_;
+  }
   Vec2 compute_circumcenter(TriangleId t) const;
 
   Bounds frame_{Vec2::Zero(), Vec2::Zero()};
   Vec2 origin_world_ = Vec2::Zero();
+  double quantum_m_ = kQuantum_m;
   std::vector<Lattice> lattice_;
   std::vector<Vec2> site_;
   std::vector<HalfEdgeId> leaving_;
@@ -108,6 +128,8 @@ class DelaunayTriangulation {
   std::vector<HalfEdgeId> twin_;
   mutable std::vector<Vec2> center_;
   mutable std::vector<char> center_known_;
+  std::vector<std::uint64_t> state_;
+  std::uint64_t states_ = 0;  // given out, before a reset() too
   std::vector<HalfEdgeId> stack_;
   TriangleId latest_ = 0;
 };

@@ -23,13 +23,19 @@ void SiteCells::reset(const Bounds& area, double cell_m) {
   cell_m_ = std::max(cell_m, std::sqrt(size.x() * size.y() / kMaxCells));
   columns_ = static_cast<int>(size.x() / cell_m_) + 1;
   rows_ = static_cast<int>(size.y() / cell_m_) + 1;
-  head_.assign(static_cast<std::size_t>(columns_) * rows_, -1);
+  head_.clear();
+  row_start_.assign(static_cast<std::size_t>(rows_), kNoPoints);
   next_.clear();
   points_.clear();
 }
 
 void SiteCells::add(const Vec2& p) {
-  std::int32_t& head = head_[static_cast<std::size_t>(row(p.y())) * columns_ + column(p.x())];
+  std::int32_t& start = row_start_[row(p.y())];
+  if (start == kNoPoints) {
+    start = static_cast<std::int32_t>(head_.size());
+    head_.resize(head_.size() + static_cast<std::size_t>(columns_), -1);
+  }
+  std::int32_t& head = head_[start + column(p.x())];
   next_.push_back(head);
   head = static_cast<std::int32_t>(points_.size());
   points_.push_back(p);
@@ -87,6 +93,7 @@ void SiteCells::for_each_near(const Vec2& a, const Vec2& b, double radius_m, F&&
   const Span whole{std::min(a.x(), b.x()), std::max(a.x(), b.x())};
   const int last_row = row(upper.y() + radius_m);
   for (int j = row(lower.y() - radius_m); j <= last_row; ++j) {
+    if (row_start_[j] == kNoPoints) continue;
     // The part of the segment that is within radius_m of this row's height, padded for rounding.
     Span x = whole;
     if (rise > 0) {
@@ -97,14 +104,14 @@ void SiteCells::for_each_near(const Vec2& a, const Vec2& b, double radius_m, F&&
       x = between(whole, lower, slope, from, to);
     }
     const double reach_m = radius_m + 1e-9;
-    if (!visit_row(j, column(x.left - reach_m), column(x.right + reach_m), f)) return;
+    if (!visit_row(row_start_[j], column(x.left - reach_m), column(x.right + reach_m), f)) return;
   }
 }
 
 template <class F>
-bool SiteCells::visit_row(int j, int first_column, int last_column, F&& f) const {
-  for (int i = first_column; i <= last_column; ++i)
-    for (std::int32_t k = head_[static_cast<std::size_t>(j) * columns_ + i]; k >= 0; k = next_[k])
+bool SiteCells::visit_row(int row_start, int first_column, int last_column, F&& f) const {
+  for (int i = row_start + first_column; i <= row_start + last_column; ++i)
+    for (std::int32_t k = head_[i]; k >= 0; k = next_[k])
       if (!f(k)) return false;
   return true;
 }

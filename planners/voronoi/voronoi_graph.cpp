@@ -44,6 +44,9 @@ std::optional<Cut> cut_to(const Bounds& box, const Vec2& p, const Vec2& q) {
 
 void VoronoiGraph::build(const DelaunayTriangulation& delaunay, const Bounds& domain,
                          double radius_m) {
+  if (delaunay_ != &delaunay || domain_.min != domain.min || domain_.max != domain.max ||
+      radius_m_ != radius_m)
+    seen_.clear();
   delaunay_ = &delaunay;
   domain_ = domain;
   radius_m_ = radius_m;
@@ -52,11 +55,26 @@ void VoronoiGraph::build(const DelaunayTriangulation& delaunay, const Bounds& do
   border_vertices_.clear();
   vertex_of_triangle_.assign(delaunay.triangle_count(), -1);
   dual_.assign(3 * delaunay.triangle_count(), {-1, -1});
+  seen_.resize(3 * delaunay.triangle_count());
   const auto half_edges = static_cast<HalfEdgeId>(3 * delaunay.triangle_count());
   for (HalfEdgeId h = 0; h < half_edges; ++h)
-    if (delaunay.twin(h) < h) add_dual(delaunay.twin(h) < 0 ? h : delaunay.twin(h));
+    if (const HalfEdgeId g = delaunay.twin(h); g < h && !(g >= 0 && add_seen(g)))
+      add_dual(g < 0 ? h : g);
   add_border();
   index_neighbours();
+}
+
+// An edge that has not changed since the latest build; false if it has.
+bool VoronoiGraph::add_seen(HalfEdgeId h) {
+  const TriangleId t = DelaunayTriangulation::triangle(h);
+  const TriangleId twin = DelaunayTriangulation::triangle(delaunay_->twin(h));
+  const Seen& seen = seen_[h];
+  if (seen.state != delaunay_->state(t) || seen.twin_state != delaunay_->state(twin)) return false;
+  const VertexId u = vertex_in(t);
+  const VertexId v = vertex_in(twin);
+  dual_[h] = {u, v};
+  if (seen.passable) add_edge(u, v);
+  return true;
 }
 
 void VoronoiGraph::add_dual(HalfEdgeId h) {
@@ -83,9 +101,11 @@ void VoronoiGraph::add_dual(HalfEdgeId h) {
     v = q_inside ? vertex_in(DelaunayTriangulation::triangle(g)) : add_border_vertex(cut->q, sites);
   }
   dual_[h] = {u, v};
-  if (is_clear(vertices_[u], vertices_[v], d.origin(h)) &&
-      is_clear(vertices_[u], vertices_[v], d.target(h)))
-    add_edge(u, v);
+  const bool passable = is_clear(vertices_[u], vertices_[v], d.origin(h)) &&
+                        is_clear(vertices_[u], vertices_[v], d.target(h));
+  if (p_inside && q_inside)
+    seen_[h] = {d.state(t), d.state(DelaunayTriangulation::triangle(g)), passable};
+  if (passable) add_edge(u, v);
 }
 
 VertexId VoronoiGraph::vertex_in(TriangleId t) {

@@ -75,7 +75,15 @@ class VoronoiGraph {
     std::array<SiteId, 2> sites;  // -1 at the corners of the domain
   };
 
+  // What an edge between two vertices inside the domain was found to be, by the states of its
+  // triangles.
+  struct Seen {
+    std::uint64_t state = 0, twin_state = 0;
+    bool passable = false;
+  };
+
   void add_dual(HalfEdgeId h);
+  bool add_seen(HalfEdgeId h);
   VertexId vertex_in(TriangleId t);
   VertexId add_border_vertex(const Vec2& p, std::array<SiteId, 2> sites);
   void add_border();
@@ -93,6 +101,7 @@ class VoronoiGraph {
   std::vector<Neighbour> neighbours_;
   std::vector<VertexId> vertex_of_triangle_;
   std::vector<std::array<VertexId, 2>> dual_;
+  std::vector<Seen> seen_;  // by half-edge; of this domain and radius
   std::vector<BorderVertex> border_vertices_;
   std::vector<BorderPiece> border_;
 };

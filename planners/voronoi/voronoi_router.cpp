@@ -13,7 +13,7 @@ namespace {
 // is smaller by this, and still larger than the clearance plus the rounding of a point.
 constexpr double kCheckMargin_m = 1e-6;
 static_assert(VoronoiRouter::kMargin_m - kCheckMargin_m >
-              DelaunayTriangulation::kRounding_m + 1e-6);
+              DelaunayTriangulation::kRounding * DelaunayTriangulation::kQuantum_m + 1e-6);
 
 // Places on the circle about a point are pushed off it by this, not to be within it by rounding.
 constexpr double kPlaceMargin_m = 1e-6;
@@ -67,8 +67,8 @@ void VoronoiRouter::observe(std::span<const Vec2> points, const Bounds& bounds,
                          std::equal(points_.begin(), points_.end(), points.begin());
   bounds_ = bounds;
   clearance_min_m_ = clearance_min_m;
-  radius_m_ = clearance_min_m + kMargin_m;
   const Bounds domain = domain_for(points, places);
+  radius_m_ = clearance_min_m + margin_m(domain);
   if (!continues || domain.min != domain_.min || domain.max != domain_.max) {
     domain_ = domain;
     rebuild(points);
@@ -85,18 +85,27 @@ void VoronoiRouter::observe(std::span<const Vec2> points, const Bounds& bounds,
 // when little is added: its sides lie on a grid of its own size.
 Bounds VoronoiRouter::domain_for(std::span<const Vec2> points, std::span<const Vec2> places) const {
   if ((0.5 * (bounds_.max - bounds_.min)).maxCoeff() <= kLargeHalfExtent_m) return bounds_;
-  const Bounds matters = grown(bounds_, radius_m_);
+  const double reach_m = clearance_min_m_ + kMargin_m;
+  const Bounds matters = grown(bounds_, reach_m);
   Bounds box{places.front(), places.front()};
   const auto include = [&](const Vec2& p) { box = {box.min.cwiseMin(p), box.max.cwiseMax(p)}; };
   for (const Vec2& p : places) include(p);
   for (const Vec2& p : points)
     if (matters.contains(p)) include(p);
-  box = grown(box, 4 * radius_m_);
+  box = grown(box, 4 * reach_m);
   int exponent = 0;
   std::frexp((box.max - box.min).maxCoeff(), &exponent);
   const double cell_m = std::ldexp(1.0, exponent);
   return common(bounds_, {Vec2((box.min / cell_m).array().floor() * cell_m),
                           Vec2((box.max / cell_m).array().ceil() * cell_m)});
+}
+
+// As many times kMargin_m as the lattice of such a domain is coarser than the finest.
+double VoronoiRouter::margin_m(const Bounds& domain) const {
+  const double half_frame_m =
+      0.75 * (domain.max - domain.min).maxCoeff() + 4 * (clearance_min_m_ + 4 * kMargin_m);
+  return kMargin_m *
+         (DelaunayTriangulation::quantum_m(half_frame_m) / DelaunayTriangulation::kQuantum_m);
 }
 
 void VoronoiRouter::rebuild(std::span<const Vec2> points) {

@@ -59,7 +59,8 @@ std::string_view reason(Route::Verdict verdict);
 // Complete at its clearance, up to rounding: points are rounded to a lattice (delaunay.h), and the
 // radius used is clearance_min_m + kMargin_m, so that no route is ever closer than clearance_min_m
 // to a point as given, while passages narrower than 2 (clearance_min_m + 2 kMargin_m) may count as
-// closed.
+// closed. What is known or asked for farther apart than 6 km takes a coarser lattice and twice that
+// margin, four times from 13 km on; 26 km is the limit.
 class VoronoiRouter {
  public:
   static constexpr double kMargin_m = 1e-5;
@@ -93,6 +94,7 @@ class VoronoiRouter {
     bool relaxed = false;
   };
 
+  double margin_m(const Bounds& domain) const;
   Bounds domain_for(std::span<const Vec2> points, std::span<const Vec2> places) const;
   void rebuild(std::span<const Vec2> points);
   void add(const Vec2& p);

@@ -3,6 +3,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 #include "voronaut/planners/mapping/free_space/row_words.h"
@@ -23,9 +24,10 @@ class BitTiles {
     return tile == kNone ? kZeros : tiles_[tile];
   }
 
-  // Of a row of cells, [from, to].
+  // The columns [from, to] of a row of cells, or of the rows [low_row, high_row].
   void set(int row, int from, int to);
-  bool all_set(int row, int from, int to) const;
+  bool all_set(int row, int from, int to) const { return all_set(row, row, from, to); }
+  bool all_set(int low_row, int high_row, int from, int to) const;
 
   // Makes those that are missing among the tiles [first, first + count) of a row of tiles and
   // points at all of them; valid until the next call.
@@ -54,7 +56,7 @@ class BitTiles {
     return *slot;
   }
   Slot& find(int row, int column) {
-    return const_cast<Slot&>(static_cast<const BitTiles&>(*this).find(row, column));
+    return const_cast<Slot&>(std::as_const(*this).find(row, column));
   }
   void make(int row, int column);
 

@@ -60,6 +60,7 @@ class FreeSpace {
  private:
   Vec2 to_cells(const Vec2& p_world) const { return (p_world - origin_) / cell_m_; }
   std::optional<Vec2> unknown_in_disc(const Vec2& p_world, double radius_m) const;
+  bool box_is_free(const Vec2& a_cells, const Vec2& b_cells, double radius_cells) const;
   bool row_is_free(int row, double column_from, double column_to) const;
 
   double cell_m_;

@@ -65,7 +65,8 @@ void StarRaster::fill_window(std::span<const Corner> corners, bool all_inside, i
 
 // Touches a row from where an edge enters it, in the word at index `at`, to a column in another
 // word, whose index is returned.
-[[gnu::noinline, gnu::cold]] std::size_t StarRaster::touch_words(std::size_t at, int word, int column, std::uint64_t entry) {
+[[gnu::noinline, gnu::cold]] std::size_t StarRaster::touch_words(std::size_t at, int word,
+                                                                 int column, std::uint64_t entry) {
   const int last = word_of(column);
   if (word < last) {
     touched_[at] |= entry;

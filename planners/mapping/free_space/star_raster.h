@@ -43,12 +43,9 @@ class StarRaster {
   int first_row_ = 0, first_word_ = 0;
   int words_ = 0;
   std::size_t rows_ = 0;
-  // All zeros between two stars. Where an edge crosses the lower border of a row, `inside` is
-  // flipped from there to the end of the word; whether the outline touches a cell makes no
-  // difference, so
-  std::vector<std::uint64_t>
-      inside_;  // flipped from where the outline crosses a row to the word's end
-  std::vector<std::uint64_t> touched_;  // cells that the outline runs through
+  // Both all zeros between two stars. `inside` is flipped from where an edge comes into a row from
+  // below up to the end of the word; `touched` are the cells that the outline runs through.
+  std::vector<std::uint64_t> inside_, touched_;
   std::vector<std::uint64_t> carry_;    // scratch, by row: all ones while inside
   std::vector<BitTiles::Tile*> tiles_;  // scratch
 };

@@ -53,6 +53,23 @@ TEST(Episode, RisesBeforeItSetsOff) {
   }
 }
 
+// Everything that a flight keeps begins where beams went.
+TEST(Episode, FliesGovernedInBoundsUpToTwentyKilometres) {
+  for (const double half_m : {25.0, 2'700.0, 10'000.0}) {
+    Scenario scenario = around({{Vec2(5, 0.2), 0.5}, {Vec2(9, -0.3), 0.5}}, Vec2(15, 0));
+    scenario.world = std::make_shared<World>(
+        Bounds{Vec2::Constant(-half_m), Vec2::Constant(half_m)}, scenario.world->shapes());
+    for (const std::string planner : {"VoronoiRoadmap", "ReactiveVoronoi", "PotentialField"}) {
+      TrialSpec spec = trial(scenario, "ideal", planner);
+      if (planner == "ReactiveVoronoi") spec.planner.params = {{"preset", "repaired"}};
+      spec.flight.navigation.governor = spec.flight.navigation.look_around = true;
+      const RunRecord record = run_trial(spec, planners(), false).record;
+      EXPECT_EQ(record.outcome, Outcome::goal_reached) << planner << ", " << half_m << " m";
+      EXPECT_GT(record.replans, 1) << "nothing was in the way";
+    }
+  }
+}
+
 TEST(Episode, PlansOnceWhereNothingIsInTheWayAndOnEveryScanIfReactive) {
   const Scenario open = around({}, Vec2(8, 0));
   EXPECT_EQ(run_trial(trial(open, "ideal", "RRTConnect"), planners(), false).record.replans, 1);

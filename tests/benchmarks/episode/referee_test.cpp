@@ -56,6 +56,33 @@ TEST(GroundTruthCollisionChecker, SeesACylinderJustTouchedAndNotOneJustMissed) {
   EXPECT_FALSE(oracle.touches(Vec2(0.25 - kBand_m, 0)));
 }
 
+// Along a way it looks around once and then not for a while.
+TEST(GroundTruthCollisionChecker, SaysAlongAWayWhatItSaysOfEachPlace) {
+  int touching = 0, changes = 0;
+  for (std::uint64_t seed = 1; seed <= 12; ++seed) {
+    Random random(seed);
+    const Shapes shapes = mixed_shapes(random);
+    const auto scene = CollisionScene::of(shapes);
+    const GroundTruthCollisionChecker along(scene, kBodyRadius_m);
+    Vec2 p(random.uniform(-5, 5), random.uniform(-5, 5));
+    Vec2 step(0.02, 0);
+    bool before = false;
+    for (int i = 0; i < 1500; ++i) {
+      if (i % 40 == 0) step = random.uniform(0.005, 0.06) * Vec2(random.normal(), random.normal());
+      if (i % 500 == 499) p = Vec2(random.uniform(-5, 5), random.uniform(-5, 5));
+      if ((p + step).cwiseAbs().maxCoeff() > 6) step = -step;
+      p += step;
+      const bool touches = GroundTruthCollisionChecker(scene, kBodyRadius_m).touches(p);
+      ASSERT_EQ(along.touches(p), touches) << "seed " << seed << " at " << p.transpose();
+      touching += touches;
+      changes += touches != before;
+      before = touches;
+    }
+  }
+  EXPECT_GT(touching, 1'000);
+  EXPECT_GT(changes, 100);
+}
+
 Scenario open_field() {
   Scenario scenario;
   scenario.name = "open";

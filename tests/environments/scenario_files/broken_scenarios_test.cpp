@@ -35,6 +35,9 @@ const std::map<std::string, std::string> kMessages = {
     {"bounds_inside_out.yaml",
      "bounds_inside_out.yaml:2: key 'bounds': expected [[xmin, ymin], [xmax, ymax]] with xmin < "
      "xmax and ymin < ymax"},
+    {"bounds_too_wide.yaml",
+     "bounds_too_wide.yaml:2: key 'bounds': expected bounds up to 20000 m each way, got 8 x 20004 "
+     "m"},
     {"bow_tie.yaml",
      "bow_tie.yaml:4: key 'world.polygons[1]': has invalid self-intersections. A self-intersection "
      "point was found at (4, 2)"},

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 #include <malloc.h>
 
+#include "voronaut/planners/mapping/free_space/free_space.h"
 #include "voronaut/planners/mapping/obstacle_base.h"
 #include "voronaut/tests/support/random_scans.h"
 
@@ -89,6 +90,33 @@ TEST(ObstacleBase, HoldsMemoryInProportionToWhatItHasSeenAndNoneForSeeingItAgain
     for (const Scan& scan : scans) base.update(scan);
   }
   EXPECT_EQ(bytes_held, held);
+}
+
+// What scans of one place take does not depend on how far the bounds reach.
+TEST(FreeSpace, HoldsWhatBeamsReachedWhateverTheBounds) {
+  Random random(6);
+  const ScanWorld world = random_scan_world(random, 12, 14, 6);
+  const auto fan = std::make_shared<BeamFan>(BeamFan::spread(std::numbers::pi / 2, 91));
+  std::vector<Scan> scans;
+  for (int i = 0; i < 60; ++i)
+    scans.push_back(cast_scan(world, random_pose(random, 12), fan, 2.5, 0, 0.02, random));
+  std::vector<std::size_t> held;
+  std::vector<std::size_t> free_cells;
+  for (const double half_m : {25.0, 1'000.0, 10'000.0}) {
+    const std::size_t before = bytes_held;
+    FreeSpace space({Vec2::Constant(-half_m), Vec2::Constant(half_m)});
+    for (const Scan& scan : scans) space.update(scan);
+    held.push_back(bytes_held - before);
+    free_cells.push_back(space.free_cells());
+    const std::size_t allocated = allocations;
+    for (const Scan& scan : scans) space.update(scan);
+    EXPECT_EQ(allocations, allocated);
+  }
+  EXPECT_LT(held.front(), 100'000U);
+  EXPECT_LE(5 * held[1], 6 * held[0]);
+  EXPECT_LE(5 * held[2], 6 * held[0]);
+  // The lattice begins at the corner of the bounds: rounded, it is a little different each time.
+  EXPECT_NEAR(static_cast<double>(free_cells[2]), static_cast<double>(free_cells[0]), 50);
 }
 
 }  // namespace

@@ -85,7 +85,7 @@ TEST(DelaunayTriangulation, MakesOneSiteOfPointsThatRoundToOnePlace) {
 TEST(DelaunayTriangulation, RoundsByNoMoreThanItSays) {
   for (const Vec2& p : random_points(5, 2000)) {
     const auto d = triangulated({p});
-    EXPECT_LE((d.site(4) - p).norm(), DelaunayTriangulation::kRounding_m);
+    EXPECT_LE((d.site(4) - p).norm(), DelaunayTriangulation::kRounding * d.quantum_m());
   }
 }
 
@@ -110,9 +110,24 @@ TEST(DelaunayTriangulation, VisitsEveryNeighbourOfASiteOnce) {
   }
 }
 
+TEST(DelaunayTriangulation, TakesACoarserLatticeForAFrameBeyondTenKilometres) {
+  for (const double half_m : {4'999.0, 5'001.0, 15'000.0, 20'000.0}) {
+    DelaunayTriangulation d;
+    d.reset({Vec2(-half_m, -half_m), Vec2(half_m, half_m)});
+    EXPECT_EQ(d.quantum_m(), half_m < 5'000 ? 1e-5 : half_m < 10'000 ? 2e-5 : 4e-5);
+    Random random(11);
+    for (int i = 0; i < 300; ++i) {
+      const double reach_m = i % 2 ? 0.99 * half_m : 5;
+      const Vec2 p(random.uniform(-reach_m, reach_m), random.uniform(-reach_m, reach_m));
+      EXPECT_LE((d.site(d.insert(p)) - p).norm(), DelaunayTriangulation::kRounding * d.quantum_m());
+    }
+    expect_delaunay(d);
+  }
+}
+
 TEST(DelaunayTriangulation, RefusesAFrameThatIsTooLarge) {
   DelaunayTriangulation d;
-  EXPECT_THROW(d.reset({Vec2(-6000, 0), Vec2(6000, 10)}), std::invalid_argument);
+  EXPECT_THROW(d.reset({Vec2(-20'001, 0), Vec2(20'001, 10)}), std::invalid_argument);
   EXPECT_THROW(d.reset({Vec2(0, 0), Vec2(0, 10)}), std::invalid_argument);
 }
 

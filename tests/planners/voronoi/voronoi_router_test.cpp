@@ -194,6 +194,20 @@ TEST(VoronoiRouter, AnswersTheSameWhetherItGrewOrWasBuiltAnew) {
   }
 }
 
+// The lattice is four times as coarse there, and the margin for it wider.
+TEST(VoronoiRouter, KeepsItsClearanceInBoundsOfTwentyKilometres) {
+  for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+    Random random(seed);
+    PointWorld world = forest(random, 0.15, 14);
+    world.bounds = {Vec2(-10'000, -10'000), Vec2(10'000, 10'000)};
+    world.points.emplace_back(-9'990, -9'990);  // known, and far away
+    world.points.emplace_back(9'990, 9'990);
+    const Route route = plan(world);
+    EXPECT_EQ(route.verdict, Route::Verdict::found) << "seed " << seed;
+    expect_sound(route, world, seed);
+  }
+}
+
 TEST(VoronoiRouter, StartsAnewWhenPointsVanish) {
   VoronoiRouter router;
   PointWorld world = wall_with_gap(0.5);

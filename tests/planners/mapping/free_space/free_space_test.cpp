@@ -124,6 +124,158 @@ TEST(FreeSpace, NeverCallsAnObstacleFree) {
   EXPECT_GT(free_cells, 60 * 5000U);
 }
 
+// The outline of a scan's star in cells from the bounds' corner, written down from its definition:
+// triangles between neighbouring beams, chords of up to 0.07 rad where nothing is in range.
+std::vector<Vec2> outline_of(const Scan& scan, const Vec2& origin, double cell_m) {
+  const bool full = scan.beams->full_circle();
+  const std::size_t n = scan.size(), triangles = full ? n : n - 1;
+  const double step_rad = scan.beams->bearing_step_rad;
+  const auto length_m = [&](std::size_t i) {
+    const double range_m = scan.range_m[i % n];
+    if (range_m == scan.max_range_m) return range_m;
+    return scan.is_return(i % n) ? range_m * (1 - step_rad / 2) : 0;
+  };
+  const auto at = [&](std::size_t i, double m) -> Vec2 {
+    return (scan.sensor_world.p_world + m * scan.direction_world(i % n) - origin) / cell_m;
+  };
+  std::vector<Vec2> outline;
+  if (!full) outline.push_back(at(0, 0));
+  const std::size_t chord = std::max<std::size_t>(1, static_cast<std::size_t>(0.07 / step_rad));
+  for (std::size_t i = 0; i < triangles;) {
+    const double both_m = std::min(length_m(i), length_m(i + 1));
+    std::size_t end = i + 1;
+    while (both_m == scan.max_range_m && end < triangles && end - i < chord &&
+           length_m(end + 1) == scan.max_range_m)
+      ++end;
+    outline.push_back(at(i, both_m));
+    outline.push_back(at(end, both_m));
+    i = end;
+  }
+  return outline;
+}
+
+// Whether a segment comes into the square of a cell: -1 no, 1 yes, 0 too close to its rim to say.
+int meets_cell(const Vec2& a, const Vec2& b, int column, int row) {
+  double enter[2] = {0, 0}, leave[2] = {1, 1};
+  const double grown[2] = {1e-9, -1e-9};  // a larger square and a smaller one
+  const Vec2 low(column, row);
+  for (int k = 0; k < 2; ++k) {
+    for (int axis = 0; axis < 2; ++axis) {
+      const double along = b[axis] - a[axis];
+      const double from = low[axis] - grown[k] - a[axis], to = low[axis] + 1 + grown[k] - a[axis];
+      if (std::abs(along) < 1e-12) {
+        if (from > 0 || to < 0) leave[k] = -1;
+        continue;
+      }
+      enter[k] = std::max(enter[k], std::min(from / along, to / along));
+      leave[k] = std::min(leave[k], std::max(from / along, to / along));
+    }
+  }
+  if (enter[0] > leave[0]) return -1;
+  return enter[1] <= leave[1] ? 1 : 0;
+}
+
+// Cell by cell from the outline: 1 wholly within, -1 not, 0 too close to say.
+int lies_within(const std::vector<Vec2>& outline, int column, int row) {
+  const Vec2 middle(column + 0.5, row + 0.5);
+  bool inside = false, unsure = false;
+  for (std::size_t i = 0; i < outline.size(); ++i) {
+    const Vec2 &a = outline[i], &b = outline[(i + 1) % outline.size()];
+    const int meets = meets_cell(a, b, column, row);
+    if (meets > 0) return -1;
+    unsure = unsure || meets == 0;
+    if ((a.y() > middle.y()) != (b.y() > middle.y()) &&
+        middle.x() < a.x() + (middle.y() - a.y()) / (b.y() - a.y()) * (b.x() - a.x()))
+      inside = !inside;
+  }
+  return unsure ? 0 : inside ? 1 : -1;
+}
+
+// Property: after some scans exactly those cells are known free that one star covers, wherever the
+// sensor stands: beside the bounds and across them, at corners of tiles, in bounds of any size.
+TEST(FreeSpace, KnowsExactlyTheCellsThatTheStarOfOneScanCovers) {
+  constexpr double kTile_m = 64 * 0.05;
+  std::size_t free_cells = 0, compared = 0;
+  for (std::uint64_t seed = 1; seed <= 80; ++seed) {
+    Random random(seed);
+    const Vec2 corner(random.uniform(-30, 30), random.uniform(-30, 30));
+    const Bounds narrow{corner, corner + Vec2(random.uniform(3, 8), random.uniform(3, 8))};
+    const Bounds wide{corner - Vec2(8000, 9000), corner + Vec2(11'000, 9'000)};
+    const Bounds bounds = seed % 2 ? narrow : wide;
+    FreeSpace space(bounds);
+    std::vector<Circle> circles;
+    std::vector<std::vector<Vec2>> outlines;
+    // Of a corner of tiles, or of the bounds.
+    const Vec2 around =
+        seed % 4 < 2 ? narrow.min
+                     : Vec2(bounds.min +
+                            kTile_m * Vec2((0.5 * (narrow.min + narrow.max) - bounds.min) / kTile_m)
+                                          .array()
+                                          .round()
+                                          .matrix());
+    for (int i = 0; i < 8; ++i)
+      circles.push_back(
+          {around + Vec2(random.uniform(-2, 2), random.uniform(-2, 2)), random.uniform(0.05, 0.4)});
+    for (int i = 0; i < 3; ++i) {
+      const Vec2 p = around + Vec2(random.uniform(-2, 2), random.uniform(-2, 2));
+      const Vec2 heading = Vec2(random.uniform(-1, 1), random.uniform(-1, 1)).normalized();
+      Scan scan = i == 0   ? look(p, heading, circles)
+                  : i == 1 ? look(p, heading, circles, kFullCircle_rad, 360)
+                           : look(p, heading, circles, 3 * kRightAngle_rad, 40);
+      if (seed % 5 == 0) scan.range_m[scan.size() / 3] = 0;
+      space.update(scan);
+      outlines.push_back(outline_of(scan, bounds.min, space.cell_m()));
+    }
+    const Vec2 cell = (around - bounds.min) / space.cell_m();
+    for (int row = static_cast<int>(cell.y()) - 95; row < cell.y() + 95; ++row) {
+      for (int column = static_cast<int>(cell.x()) - 95; column < cell.x() + 95; ++column) {
+        const Vec2 middle = bounds.min + space.cell_m() * Vec2(column + 0.5, row + 0.5);
+        int expected = -1;
+        for (const std::vector<Vec2>& outline : outlines)
+          expected = std::max(expected, lies_within(outline, column, row));
+        if (!bounds.contains(middle)) expected = -1;
+        if (expected == 0) continue;
+        ASSERT_EQ(space.is_free(middle), expected > 0)
+            << "seed " << seed << " column " << column << " row " << row;
+        ++compared;
+        free_cells += expected > 0;
+      }
+    }
+  }
+  EXPECT_GT(compared, 2'000'000U);
+  EXPECT_GT(free_cells, 200'000U);
+}
+
+// A star larger than what is drawn at once, in rows that take many words.
+TEST(FreeSpace, KnowsFarViewsToo) {
+  const Bounds bounds{Vec2(-700, -700), Vec2(700, 700)};
+  FreeSpace space(bounds);
+  Scan scan = look(Vec2(0.01, 0.02), Vec2(1, 0), {}, kFullCircle_rad, 360);
+  scan.max_range_m = 300;
+  Random random(2);
+  for (double& range_m : scan.range_m)
+    range_m = random.uniform(0, 1) < 0.5 ? 300 : random.uniform(1, 300);
+  space.update(scan);
+  const std::vector<Vec2> outline = outline_of(scan, bounds.min, space.cell_m());
+  int free_cells = 0;
+  for (int i = 0; i < 20'000; ++i) {
+    const int column = static_cast<int>(14'000 + random.uniform(-6100, 6100));
+    const int row = static_cast<int>(14'000 + random.uniform(-6100, 6100));
+    const int expected = lies_within(outline, column, row);
+    if (expected == 0) continue;
+    ASSERT_EQ(space.is_free(bounds.min + space.cell_m() * Vec2(column + 0.5, row + 0.5)),
+              expected > 0)
+        << column << ", " << row;
+    free_cells += expected > 0;
+  }
+  EXPECT_GT(free_cells, 3000);
+}
+
+TEST(FreeSpace, RefusesBoundsOfMoreCellsThanItCounts) {
+  EXPECT_THROW(FreeSpace({Vec2(0, 0), Vec2(1e6, 1)}), std::invalid_argument);
+  EXPECT_THROW(FreeSpace({Vec2(0, 0), Vec2(0, 1)}), std::invalid_argument);
+}
+
 // Property: the row by row test of a swept disc equals asking every cell that it touches.
 TEST(FreeSpace, SweptDiscIsFreeExactlyIfEveryCellItTouchesIs) {
   const double cell_m = 0.05;
