@@ -12,6 +12,16 @@ constexpr double kNoTilt_rad = 0;
 
 const std::vector<VehicleSpec>& vehicles() {
   static const std::vector<VehicleSpec> rows = {
+      // F1TENTH's car of 0.58 x 0.31 m, at a walker's pace. The disc is about the middle of its
+      // rear axle: 0.455 m to its front bumper, hypot(0.455, 0.155) = 0.48 m to the corners. Paths
+      // that are pulled taut bend about known points at the clearance they keep: at 0.75 m, its
+      // turning radius is 0.742 m, it can follow them.
+      {.name = "car",
+       .body_radius_m = 0.48,
+       .planning_clearance_m = 0.75,
+       .limits = {.max_acceleration_m_s2 = 3, .max_tilt_rad = kNoTilt_rad},
+       .model = CarConfig{},
+       .regulator = CarTrackerConfig::kName},
       // A cruise of 1.25 m/s makes the cart planner paper's mean of 1.19 m/s; the motors reach
       // 1.27. They could give 19 m/s^2; what the wheels' grip allows is ours to choose.
       {.name = "cart",

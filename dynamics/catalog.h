@@ -7,12 +7,14 @@
 
 #include "voronaut/dynamics/limits.h"
 #include "voronaut/dynamics/model.h"
+#include "voronaut/dynamics/models/car.h"
 #include "voronaut/dynamics/models/cart.h"
 #include "voronaut/dynamics/models/ideal.h"
 #include "voronaut/dynamics/models/quadrotor.h"
 #include "voronaut/dynamics/models/unicycle.h"
 #include "voronaut/dynamics/regulator.h"
 #include "voronaut/dynamics/regulators/arc_tracker.h"
+#include "voronaut/dynamics/regulators/car_tracker.h"
 #include "voronaut/dynamics/regulators/ideal.h"
 #include "voronaut/dynamics/regulators/paper_literal.h"
 #include "voronaut/dynamics/regulators/pd_rate.h"
@@ -26,12 +28,13 @@
 namespace voronaut {
 
 // A model's config has kName, a visit list and `Body`, the class that is made from it.
-using ModelConfig = std::variant<IdealConfig, QuadrotorConfig, CartConfig, UnicycleConfig>;
+using ModelConfig =
+    std::variant<IdealConfig, QuadrotorConfig, CartConfig, UnicycleConfig, CarConfig>;
 
 // A regulator's config has kName, a visit list and `Law`, the class that is made from it. A law
 // drives each model from whose config it can be made: Law(config, model's config, limits, period).
 using RegulatorConfig = std::variant<IdealRegulatorConfig, PaperLiteralConfig, PdRateConfig,
-                                     PositionTrajectoryConfig, ArcTrackerConfig>;
+                                     PositionTrajectoryConfig, ArcTrackerConfig, CarTrackerConfig>;
 
 struct VehicleSpec {
   std::string name;

@@ -38,7 +38,7 @@ struct DriveResponse {
 
   DriveMotion motion_of(const VehicleState& state) const;
 
-  // Positions from now until rest, about `sample_s` apart, the first and the last included: hold
+  // Positions from now until rest, `sample_s` apart and closer where it bends: hold
   // `commanded` for hold_s, then brake (command 0, 0). `before` was commanded until now. `track` is
   // overwritten; no allocation once it is large enough. O(time to rest / period_s), at most 4 s.
   void predict_stop(const DriveMotion& now, const ArcCommand& before, const ArcCommand& commanded,

@@ -20,7 +20,8 @@ struct VehicleState {
   Vec3 v_world = Vec3::Zero();  // [m/s]
   Eigen::Quaterniond q_world_body = Eigen::Quaterniond::Identity();  // unit
   Vec3 w_body = Vec3::Zero();                                        // body rates p, q, r [rad/s]
-  std::array<double, 4> actuators{};  // speeds [rad/s]; quadrotor: rotors; cart: right, left wheel
+  // Speeds [rad/s]; quadrotor: rotors; cart: right, left wheel. Car: steering angle [rad].
+  std::array<double, 4> actuators{};
 
   // Horizontal direction in which the body's x axis points: a unit vector, undefined at +-90 deg
   // of pitch (no vehicle here gets there on purpose).
@@ -49,7 +50,8 @@ struct VelocityCommand {
 };
 
 // The same for what drives along its heading: an arc of curvature w / v, a turn on the spot where v
-// is 0, backwards where v is negative. Speed limit, braking and heading are the governor's business.
+// is 0, backwards where v is negative. Speed limit, braking and heading are the governor's
+// business.
 struct ArcCommand {
   double v_m_s = 0;    // along the heading
   double w_rad_s = 0;  // yaw rate, positive to the left
@@ -66,6 +68,7 @@ struct Setpoint {
 // What the regulator asks of the model, held for one vehicle step. The model says what the four
 // numbers mean: rotor speeds [rad/s] for the quadrotor; world acceleration x, y, z [m/s^2] and yaw
 // rate [rad/s] for the ideal vehicle; speed [m/s] and yaw rate [rad/s] asked for, for the unicycle;
+// acceleration [m/s^2] and steering rate [rad/s] for the car;
 // voltages [V] of the right and the left motor for the cart.
 struct Command {
   std::array<double, 4> u{};

@@ -17,8 +17,8 @@ constexpr double kAbeam_m = 0.05;
 // The direction of a velocity, as a point to drive to.
 constexpr double kCourse_s = 1;
 // Bounds of DriveResponse::error_m that tests/dynamics/drive_response_test.cpp holds.
-constexpr double kArcStopErrorAtRest_m = 0.0015;
-constexpr double kArcStopError_s = 0.0015;
+constexpr double kArcStopErrorAtRest_m = 0.002;
+constexpr double kArcStopError_s = 0.002;
 
 DriveResponse response_of(const ArcTrackerConfig& config, const UnicycleConfig& vehicle,
                           const MotionLimits& limits, double period_s) {

@@ -1,6 +1,7 @@
 #include "voronaut/planners/navigation/command_ladder.h"
 
 #include "voronaut/planners/navigation/arc_ladder.h"
+#include "voronaut/planners/navigation/car_ladder.h"
 #include "voronaut/planners/navigation/velocity_ladder.h"
 
 namespace voronaut {
@@ -8,6 +9,8 @@ namespace voronaut {
 std::unique_ptr<CommandLadder> ladder_of(const MotionResponse& response) {
   if (const auto* drive = std::get_if<DriveResponse>(&response))
     return std::make_unique<ArcLadder>(*drive);
+  if (const auto* car = std::get_if<CarResponse>(&response))
+    return std::make_unique<CarLadder>(*car);
   return std::make_unique<VelocityLadder>(std::get<VelocityResponse>(response));
 }
 

@@ -42,7 +42,7 @@ std::optional<SafetyGovernor> governor_of(const NavigatorConfig& config) {
   const VehicleFacts& vehicle = config.vehicle;
   if (!vehicle.motion_response)
     throw std::invalid_argument("a governor needs the vehicle's motion response");
-  const bool answers_arcs = std::holds_alternative<DriveResponse>(*vehicle.motion_response);
+  const bool answers_arcs = !std::holds_alternative<VelocityResponse>(*vehicle.motion_response);
   if (answers_arcs != (vehicle.steering == Steering::along_heading))
     throw std::invalid_argument(
         "a governor needs a motion response of the kind of the vehicle's steering");

@@ -53,7 +53,7 @@ TEST(Catalog, KnowsTheBodies) {
 }
 
 TEST(Catalog, TellsWhatWheelsCannotDo) {
-  const std::set<std::string> wheeled{"cart", "jackal", "unicycle"};
+  const std::set<std::string> wheeled{"car", "cart", "jackal", "unicycle"};
   for (const std::string& name : vehicle_names()) {
     const Mobility mobility = mobility_of(find_vehicle(name));
     EXPECT_EQ(mobility.flies, wheeled.count(name) == 0) << name;
@@ -62,10 +62,10 @@ TEST(Catalog, TellsWhatWheelsCannotDo) {
 }
 
 TEST(Catalog, NamesEveryEntryOnceInAlphabeticalOrder) {
-  EXPECT_THAT(vehicle_names(),
-              ElementsAre("cart", "ideal", "jackal", "quadrotor", "quadrotor_props", "unicycle"));
-  EXPECT_THAT(regulator_names(), ElementsAre("arc_tracker", "ideal", "paper_literal", "pd_rate",
-                                             "position_trajectory"));
+  EXPECT_THAT(vehicle_names(), ElementsAre("car", "cart", "ideal", "jackal", "quadrotor",
+                                           "quadrotor_props", "unicycle"));
+  EXPECT_THAT(regulator_names(), ElementsAre("arc_tracker", "car_tracker", "ideal", "paper_literal",
+                                             "pd_rate", "position_trajectory"));
 }
 
 TEST(Catalog, ListsTheKnownNamesWhenOneIsUnknown) {

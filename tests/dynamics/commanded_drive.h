@@ -90,11 +90,16 @@ class CommandedDrive {
   Command pending_;
 };
 
-// Every vehicle of the catalogue that drives along its heading, and one with a slow drive.
+// Every vehicle of the catalogue that drives along its heading and turns on the spot, and one with
+// a slow drive.
 inline std::vector<VehicleSpec> wheeled() {
   std::vector<VehicleSpec> specs;
   for (const std::string& name : vehicle_names()) {
-    if (!mobility_of(find_vehicle(name)).moves_sideways) specs.push_back(find_vehicle(name));
+    const VehicleSpec spec = find_vehicle(name);
+    if (mobility_of(spec).moves_sideways) continue;
+    const MotionResponse response =
+        motion_response(find_regulator(spec.regulator), spec, kPeriod_s);
+    if (std::holds_alternative<DriveResponse>(response)) specs.push_back(spec);
   }
   VehicleSpec slow = find_vehicle("unicycle");
   slow.name = "unicycle_with_lag";

@@ -10,8 +10,10 @@ namespace {
 const RegulatorPair kHovering[] = {
     {"quadrotor", "pd_rate"}, {"quadrotor_props", "pd_rate"}, {"ideal", "ideal"}};
 // What hovering asks for beyond that, the tests of what drives on wheels ask in its place.
-const RegulatorPair kWheeled[] = {
-    {"cart", "position_trajectory"}, {"jackal", "arc_tracker"}, {"unicycle", "arc_tracker"}};
+const RegulatorPair kWheeled[] = {{"car", "car_tracker"},
+                                  {"cart", "position_trajectory"},
+                                  {"jackal", "arc_tracker"},
+                                  {"unicycle", "arc_tracker"}};
 const RegulatorPair kUnstable[] = {{"quadrotor", "paper_literal"}};
 
 std::string pair_name(const ::testing::TestParamInfo<RegulatorPair>& info) {

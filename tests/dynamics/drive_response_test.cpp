@@ -6,33 +6,24 @@
 #include <gtest/gtest.h>
 
 #include "voronaut/tests/dynamics/commanded_drive.h"
+#include "voronaut/tests/dynamics/track_distance.h"
 
 namespace voronaut {
 namespace {
 
 using Eigen::Vector2d;
 using testing::CommandedDrive;
+using testing::distance_m;
 using testing::kPeriod_s;
 
 constexpr double kHold_s = 0.05;
-
-double distance_m(const Vector2d& p, const std::vector<Vector2d>& track) {
-  double closest = (p - track.front()).norm();
-  for (std::size_t i = 0; i + 1 < track.size(); ++i) {
-    const Vector2d along = track[i + 1] - track[i];
-    const double length_sq = along.squaredNorm();
-    const double t =
-        length_sq > 0 ? std::clamp((p - track[i]).dot(along) / length_sq, 0.0, 1.0) : 0;
-    closest = std::min(closest, (p - track[i] - t * along).norm());
-  }
-  return closest;
-}
+constexpr double kSample_s = 0.05;  // as the governor samples: chords of arcs are part of the error
 
 // Predicts and drives a stop. The governor sweeps the whole track: what counts is how far the drive
 // strays from it.
 double error_m(CommandedDrive& drive, const ArcCommand& before, const ArcCommand& command) {
   std::vector<Vector2d> track;
-  drive.response().predict_stop(drive.motion(), before, command, kHold_s, kPeriod_s, track);
+  drive.response().predict_stop(drive.motion(), before, command, kHold_s, kSample_s, track);
   double largest = 0;
   for (int i = 0; i < 400; ++i) {
     largest = std::max(largest, distance_m(drive.motion().p_m, track));
@@ -86,7 +77,7 @@ TEST(DriveResponse, StraysFromThePredictionOfAnotherLaw) {
   const ArcCommand arc{2, 1};
   drive.drive(arc, 2);
   std::vector<Vector2d> track;
-  wrong.predict_stop(drive.motion(), arc, arc, kHold_s, kPeriod_s, track);
+  wrong.predict_stop(drive.motion(), arc, arc, kHold_s, kSample_s, track);
   const double promised_m = wrong.error_m(drive.motion(), arc);
   drive.drive(arc, kHold_s);
   drive.drive({}, 3);
@@ -99,7 +90,7 @@ TEST(DriveResponse, TurnsOnTheSpotWithoutLeavingIt) {
     drive.begin();
     const ArcCommand turn{0, drive.response().limits.max_yaw_rate_rad_s};
     std::vector<Vector2d> track;
-    drive.response().predict_stop(drive.motion(), {}, turn, kHold_s, kPeriod_s, track);
+    drive.response().predict_stop(drive.motion(), {}, turn, kHold_s, kSample_s, track);
     for (const Vector2d& p : track) EXPECT_EQ(p.norm(), 0) << spec.name;
     const Vector2d start = drive.motion().p_m;
     drive.drive(turn, 2);

@@ -6,12 +6,14 @@
 #include <gtest/gtest.h>
 
 #include "voronaut/tests/dynamics/commanded_flight.h"
+#include "voronaut/tests/dynamics/track_distance.h"
 
 namespace voronaut {
 namespace {
 
 using Eigen::Vector2d;
 using testing::CommandedFlight;
+using testing::distance_m;
 using testing::kPeriod_s;
 
 constexpr double kHold_s = 0.05;
@@ -22,18 +24,6 @@ Vector2d random_command(CommandedFlight& flight, const Vector2d& before) {
   if (what < 0.8) return {0, 0};
   if (what < 0.9) return -before;
   return flight.uniform(0, flight.spec().limits.max_speed_m_s) * flight.direction();
-}
-
-double distance_m(const Vector2d& p, const std::vector<Vector2d>& track) {
-  double closest = (p - track.front()).norm();
-  for (std::size_t i = 0; i + 1 < track.size(); ++i) {
-    const Vector2d along = track[i + 1] - track[i];
-    const double length_sq = along.squaredNorm();
-    const double t =
-        length_sq > 0 ? std::clamp((p - track[i]).dot(along) / length_sq, 0.0, 1.0) : 0;
-    closest = std::min(closest, (p - track[i] - t * along).norm());
-  }
-  return closest;
 }
 
 // Predicts and flies a stop. The governor sweeps the whole track: what counts is how far the flight
@@ -101,7 +91,7 @@ TEST(VelocityResponse, PromisesNoStopForTheUnstableLiteralLaw) {
 }
 
 TEST(VelocityResponse, IsNoneOfWhatCannotMoveSideways) {
-  for (const char* name : {"cart", "unicycle"}) {
+  for (const char* name : {"car", "cart", "unicycle"}) {
     const VehicleSpec spec = find_vehicle(name);
     EXPECT_THROW(velocity_response(find_regulator(spec.regulator), spec, kPeriod_s),
                  std::invalid_argument);

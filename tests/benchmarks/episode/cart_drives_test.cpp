@@ -80,10 +80,14 @@ TEST(CartDrive, BacksOffByTurningRoundAndDrivingAway) {
   EXPECT_GT(log.ticks.back().clearance_m, 0.4);
 }
 
-TEST(CartDrive, IsNotGoverned) {
+TEST(CartDrive, IsGovernedByArcs) {
   TrialSpec spec = cart_trial("generator: {name: u_trap}", "recovery: true");
-  spec.flight.navigation.governor = true;  // what no suite can ask for
-  EXPECT_THROW(Flight(spec, PlannerCatalog::built_in(), false), std::invalid_argument);
+  spec.flight.navigation.governor = true;
+  Flight flight(spec, PlannerCatalog::built_in(), false);
+  const EpisodeLog log = fly(flight);
+  EXPECT_NE(log.verdict.outcome, Outcome::collision);
+  for (const auto& scan : log.scans)
+    EXPECT_TRUE(std::holds_alternative<ArcCommand>(scan.setpoint.motion));
 }
 
 }  // namespace

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 
 #include <gtest/gtest.h>
@@ -14,15 +15,20 @@ namespace {
 
 constexpr const char* kWheeled[] = {"unicycle", "jackal", "cart"};
 
+// Sees all around, for what cannot turn on the spot to look.
+constexpr const char* kAllAround =
+    "range_finder: {field_of_view_rad: 6.283185307179586, rays: 360}\n";
+
 // Every trial of a suite with VoronoiRoadmap, governed.
 std::vector<TrialSpec> governed(const std::string& vehicle, const std::string& scenario,
-                                int repetitions) {
+                                int repetitions, const std::string& rest = "") {
   const PlannerCatalog planners = PlannerCatalog::built_in();
   const SuiteConfig suite = read_suite(
       ConfigNode::parse("suite: s\nseed: 5\nrepetitions: " + std::to_string(repetitions) +
                             "\nscenarios: [" + scenario + "]\nvehicles: [" + vehicle +
                             "]\nplanners: [VoronoiRoadmap]\nnavigation: {governor: true, "
-                            "look_around: true, yaw_policy: path, recovery: true}\n",
+                            "look_around: true, yaw_policy: path, recovery: true}\n" +
+                            rest,
                         "s.yaml"),
       "", planners);
   std::vector<TrialSpec> specs;
@@ -60,6 +66,24 @@ TEST(GovernedWheels, ArriveThroughForestsWithoutAContact) {
           << vehicle << " " << spec.scenario.name << ": " << log.verdict.reason;
     }
   }
+}
+
+TEST(GovernedWheels, ArriveWithACarThatBacksUpOutOfTraps) {
+  int backed_up = 0;
+  for (const char* scenario :
+       {"{name: f, generator: {name: forest, side_m: 10, density_per_m2: 0.1}}",
+        "{name: u, generator: {name: u_trap}}"}) {
+    for (const TrialSpec& spec : governed("car", scenario, 5, kAllAround)) {
+      const EpisodeLog log = drive(spec);
+      EXPECT_EQ(log.verdict.outcome, Outcome::goal_reached)
+          << scenario << ": " << log.verdict.reason;
+      const auto backwards = [](const Tick& tick) {
+        return tick.state.heading_world().dot(tick.state.v_world.head<2>()) < -0.1;
+      };
+      backed_up += std::ranges::any_of(log.ticks, backwards) ? 1 : 0;
+    }
+  }
+  EXPECT_GT(backed_up, 0);
 }
 
 // As wide as planners plan for and a centimetre more: there a vehicle that turns away from either

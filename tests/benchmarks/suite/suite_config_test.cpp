@@ -189,7 +189,7 @@ TEST(SuiteConfig, SaysInOneLineWhatIsWrong) {
       {suite_with("vehicles", "[]"),
        "s.yaml:3: key 'vehicles': expected at least one entry, got none"},
       {suite_with("vehicles", "[quadrotr]"),
-       "s.yaml:3: key 'vehicles[0]': no vehicle 'quadrotr' (allowed: cart, ideal, jackal, "
+       "s.yaml:3: key 'vehicles[0]': no vehicle 'quadrotr' (allowed: car, cart, ideal, jackal, "
        "quadrotor, quadrotor_props, unicycle; did you mean 'quadrotor'?)"},
       {suite_with("vehicles", "[quadrotor, quadrotor]"),
        "s.yaml:3: key 'vehicles[1]': the name 'quadrotor' is taken (line 3); give this one a "
@@ -210,7 +210,8 @@ TEST(SuiteConfig, SaysInOneLineWhatIsWrong) {
        "s.yaml:3: key 'vehicles[0].regulator': regulator 'ideal' drives the model ideal, which "
        "vehicle 'quadrotor' is not"},
       {suite_with("vehicles", "[{name: quadrotor, regulator: pid}]"),
-       "s.yaml:3: key 'vehicles[0].regulator': no regulator 'pid' (allowed: arc_tracker, ideal, "
+       "s.yaml:3: key 'vehicles[0].regulator': no regulator 'pid' (allowed: arc_tracker, "
+       "car_tracker, ideal, "
        "paper_literal, "
        "pd_rate, position_trajectory)"},
       {suite_with("planners", "[RRTConect]"),

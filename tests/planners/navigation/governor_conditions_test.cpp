@@ -24,6 +24,7 @@ struct Broken {
 constexpr Broken kVehicles[] = {{"ideal", 1.0, 0.4, 0.9, 0.035},
                                 {"unicycle", 1.0, 0.4, 0.9, 0.035},
                                 {"jackal", 1.2, 0.1, 0.45, 0.035},
+                                {"car", 1.0, 0.4, 0.9, 0.035},
                                 {"cart", 2.4, 0.4, 0.9, 0.012}};
 
 Dash dash_of(const Broken& vehicle) {

@@ -20,7 +20,7 @@ using testing::kPeriod_s;
 using testing::kStepsPerScan;
 
 TEST(SafetyGovernor, StopsACarelessPilotBeforeTheWall) {
-  for (const char* name : {"ideal", "quadrotor", "unicycle", "jackal", "cart"}) {
+  for (const char* name : {"ideal", "quadrotor", "unicycle", "jackal", "cart", "car"}) {
     Dash dash;
     dash.vehicle_name = name;
     EXPECT_GE(dash.clearance_min_m(), kBodyRadius_m) << name;
@@ -118,8 +118,10 @@ TEST(SafetyGovernor, LeavesRoomForAllThatAStopMayStrayFromItsPrediction) {
   for (const double stray_m : {0.0, 0.1, 0.2, 0.3}) {
     VelocityResponse velocities;
     DriveResponse arcs;
-    velocities.error_at_rest_m = arcs.error_at_rest_m = stray_m;
-    for (const MotionResponse& response : {MotionResponse(velocities), MotionResponse(arcs)}) {
+    CarResponse steered;
+    velocities.error_at_rest_m = arcs.error_at_rest_m = steered.error_at_rest_m = stray_m;
+    for (const MotionResponse& response :
+         {MotionResponse(velocities), MotionResponse(arcs), MotionResponse(steered)}) {
       EXPECT_GE(narrowest_m(response), kBodyRadius_m + stray_m) << response.index();
       EXPECT_LT(narrowest_m(response), kBodyRadius_m + stray_m + 0.04) << "not at the edge";
     }
@@ -161,7 +163,7 @@ double room_left_m(const std::string& name, double hold_s, const FreeSpace& free
 
 TEST(SafetyGovernor, StopsShortOfWhatIsUnknownThoughItHoldsEachCommandAsLongAsItMay) {
   constexpr double kHold_s = 0.2;
-  for (const char* name : {"ideal", "quadrotor", "unicycle", "jackal", "cart"}) {
+  for (const char* name : {"ideal", "quadrotor", "unicycle", "jackal", "cart", "car"}) {
     double least_m = 1;
     for (double end_m = 3; end_m < 3.3; end_m += 0.02) {
       const FreeSpace free = strip(-1, end_m, 1);
@@ -259,7 +261,7 @@ double farthest_out_m(const std::string& name, const Vec2& start, std::uint64_t 
 }
 
 TEST(SafetyGovernor, HoldsTheCentreWithinTheBoundsAndLetsItLeaveTheirEdgeInwards) {
-  for (const char* name : {"ideal", "quadrotor", "unicycle", "jackal", "cart"}) {
+  for (const char* name : {"ideal", "quadrotor", "unicycle", "jackal", "cart", "car"}) {
     for (const Vec2& start : {Vec2(0, 0), Vec2(-1, 0), Vec2(1, 1), Vec2(0.3, -0.999)}) {
       for (std::uint64_t seed = 1; seed <= 5; ++seed) {
         const double out_m = farthest_out_m(name, start, seed);
