@@ -42,6 +42,15 @@ TEST(FreeSpace, KnowsNothingBeforeTheFirstScanAndNothingOutsideItsBounds) {
   EXPECT_FALSE(space.swept_disc_is_free(Vec2(3.9, 0), Vec2(3.9, 0), 0.3));
 }
 
+TEST(FreeSpace, SweptDiscEndsAtTheBorderOfWhatIsKnown) {
+  FreeSpace space(kBounds);
+  space.mark_disc(Vec2(3.5, 0), 1);
+  for (const Vec2& from : {Vec2(3.72, 0), Vec2(3.5, 0.1)}) {
+    EXPECT_TRUE(space.swept_disc_is_free(from, Vec2(3.72, 0), 0.27));
+    EXPECT_FALSE(space.swept_disc_is_free(from, Vec2(3.72, 0), 0.29));
+  }
+}
+
 // A wall may begin right beside the body.
 TEST(FreeSpace, ABodyProvesWhatLiesWhollyWithinItAndNothingBeside) {
   Random random(3);
@@ -156,6 +165,10 @@ std::vector<Vec2> outline_of(const Scan& scan, const Vec2& origin, double cell_m
 
 // Whether a segment comes into the square of a cell: -1 no, 1 yes, 0 too close to its rim to say.
 int meets_cell(const Vec2& a, const Vec2& b, int column, int row) {
+  const double rim = 1e-6;
+  if (std::min(a.x(), b.x()) > column + 1 + rim || std::max(a.x(), b.x()) < column - rim ||
+      std::min(a.y(), b.y()) > row + 1 + rim || std::max(a.y(), b.y()) < row - rim)
+    return -1;
   double enter[2] = {0, 0}, leave[2] = {1, 1};
   const double grown[2] = {1e-9, -1e-9};  // a larger square and a smaller one
   const Vec2 low(column, row);
@@ -196,7 +209,7 @@ int lies_within(const std::vector<Vec2>& outline, int column, int row) {
 TEST(FreeSpace, KnowsExactlyTheCellsThatTheStarOfOneScanCovers) {
   constexpr double kTile_m = 64 * 0.05;
   std::size_t free_cells = 0, compared = 0;
-  for (std::uint64_t seed = 1; seed <= 80; ++seed) {
+  for (std::uint64_t seed = 1; seed <= 40; ++seed) {
     Random random(seed);
     const Vec2 corner(random.uniform(-30, 30), random.uniform(-30, 30));
     const Bounds narrow{corner, corner + Vec2(random.uniform(3, 8), random.uniform(3, 8))};
@@ -227,13 +240,14 @@ TEST(FreeSpace, KnowsExactlyTheCellsThatTheStarOfOneScanCovers) {
       outlines.push_back(outline_of(scan, bounds.min, space.cell_m()));
     }
     const Vec2 cell = (around - bounds.min) / space.cell_m();
+    const Vec2 size = (bounds.max - bounds.min) / space.cell_m();  // the last cells reach beyond
     for (int row = static_cast<int>(cell.y()) - 95; row < cell.y() + 95; ++row) {
       for (int column = static_cast<int>(cell.x()) - 95; column < cell.x() + 95; ++column) {
         const Vec2 middle = bounds.min + space.cell_m() * Vec2(column + 0.5, row + 0.5);
         int expected = -1;
         for (const std::vector<Vec2>& outline : outlines)
           expected = std::max(expected, lies_within(outline, column, row));
-        if (!bounds.contains(middle)) expected = -1;
+        if (column < 0 || row < 0 || column >= size.x() || row >= size.y()) expected = -1;
         if (expected == 0) continue;
         ASSERT_EQ(space.is_free(middle), expected > 0)
             << "seed " << seed << " column " << column << " row " << row;
@@ -242,31 +256,34 @@ TEST(FreeSpace, KnowsExactlyTheCellsThatTheStarOfOneScanCovers) {
       }
     }
   }
-  EXPECT_GT(compared, 2'000'000U);
-  EXPECT_GT(free_cells, 200'000U);
+  EXPECT_GT(compared, 1'000'000U);
+  EXPECT_GT(free_cells, 100'000U);
 }
 
 // A star larger than what is drawn at once, in rows that take many words.
 TEST(FreeSpace, KnowsFarViewsToo) {
   const Bounds bounds{Vec2(-700, -700), Vec2(700, 700)};
-  FreeSpace space(bounds);
-  Scan scan = look(Vec2(0.01, 0.02), Vec2(1, 0), {}, kFullCircle_rad, 360);
-  scan.max_range_m = 300;
-  Random random(2);
-  for (double& range_m : scan.range_m)
-    range_m = random.uniform(0, 1) < 0.5 ? 300 : random.uniform(1, 300);
-  space.update(scan);
-  const std::vector<Vec2> outline = outline_of(scan, bounds.min, space.cell_m());
   int free_cells = 0;
-  for (int i = 0; i < 20'000; ++i) {
-    const int column = static_cast<int>(14'000 + random.uniform(-6100, 6100));
-    const int row = static_cast<int>(14'000 + random.uniform(-6100, 6100));
-    const int expected = lies_within(outline, column, row);
-    if (expected == 0) continue;
-    ASSERT_EQ(space.is_free(bounds.min + space.cell_m() * Vec2(column + 0.5, row + 0.5)),
-              expected > 0)
-        << column << ", " << row;
-    free_cells += expected > 0;
+  for (std::uint64_t seed = 1; seed <= 6; ++seed) {
+    FreeSpace space(bounds);
+    Scan scan = look(Vec2(0.01, 0.02), Vec2(1, 0), {}, kFullCircle_rad, 360);
+    scan.max_range_m = 300;
+    Random random(seed);
+    for (double& range_m : scan.range_m)
+      range_m = random.uniform(0, 1) < 0.5 ? 300 : random.uniform(1, 300);
+    space.update(scan);
+    const std::vector<Vec2> outline = outline_of(scan, bounds.min, space.cell_m());
+    for (int i = 0; i < 6'000; ++i) {
+      const int column = static_cast<int>(14'000 + random.uniform(-6100, 6100));
+      // Two beams run along the row of the sensor.
+      const int row = i % 4 ? static_cast<int>(14'000 + random.uniform(-6100, 6100)) : 14'000;
+      const int expected = lies_within(outline, column, row);
+      if (expected == 0) continue;
+      ASSERT_EQ(space.is_free(bounds.min + space.cell_m() * Vec2(column + 0.5, row + 0.5)),
+                expected > 0)
+          << "seed " << seed << " column " << column << " row " << row;
+      free_cells += expected > 0;
+    }
   }
   EXPECT_GT(free_cells, 3000);
 }
