@@ -11,7 +11,8 @@
 namespace voronaut {
 
 struct FreeSpaceConfig {
-  double cell_m = 0.05;
+  // Cells on a wall are never free, so a body keeps a cell's diagonal from walls, beside its stray.
+  double cell_m = 0.01;
 
   template <class Visitor>
   void visit(Visitor& v) {
