@@ -145,6 +145,8 @@ TEST(Navigator, DoesNotTurnToLookAtAWallThatItHasSeen) {
   Shapes wall;
   wall.segments.push_back({Vec2(-2, -0.262), Vec2(8, -0.262)});
   spec.scenario.world = std::make_shared<World>(Bounds{Vec2(-3, -6), Vec2(14, 6)}, wall);
+  spec.vehicle.planning_clearance_m = 0.26;  // a path along the wall keeps that
+  spec.scenario.cruise_height_m = 0;
   spec.flight.navigation.look_around = false;
   spec.flight.range_finder.noise_sigma_m = 0;
   Navigator navigator(navigator_config(spec), PlannerCatalog::built_in());
