@@ -11,8 +11,7 @@
 namespace voronaut {
 
 struct FreeSpaceConfig {
-  // Cells on a wall are never free, so a body keeps a cell's diagonal from walls, beside its stray.
-  double cell_m = 0.01;
+  double cell_m = 0.05;
 
   template <class Visitor>
   void visit(Visitor& v) {
