@@ -113,5 +113,20 @@ TEST(GovernedWheels, DriveThroughANarrowGapWithoutTurningToAndFro) {
   }
 }
 
+// Cells of known-free space as coarse as suffice for more room leave none: there it stands still.
+TEST(GovernedFlight, PassesGapsThatAHandsWidthFitsBeside) {
+  const Passage passages[] = {{"{name: ideal, params: {planning_clearance_m: 0.29}}", "0.60"},
+                              {"{name: quadrotor, params: {planning_clearance_m: 0.31}}", "0.64"}};
+  for (const auto& [vehicle, gap_m] : passages) {
+    const std::string scenario =
+        std::string("{name: g, generator: {name: narrow_gaps, gap_m: ") + gap_m + "}}";
+    for (const TrialSpec& spec : governed(vehicle, scenario, 4)) {
+      const EpisodeLog log = drive(spec);
+      EXPECT_EQ(log.verdict.outcome, Outcome::goal_reached)
+          << vehicle << ": " << log.verdict.reason;
+    }
+  }
+}
+
 }  // namespace
 }  // namespace voronaut
