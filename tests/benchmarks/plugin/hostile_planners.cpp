@@ -111,7 +111,10 @@ void move_goal_to_start(ob::ProblemDefinition& problem) {
   problem.getGoal()->as<ob::GoalState>()->setState(problem.getStartState(0));
 }
 void replace_goal(ob::ProblemDefinition& problem) {
-  problem.setStartAndGoalStates(problem.getStartState(0), problem.getStartState(0), 1e9);
+  // A copy: setting states frees those that were there.
+  const ob::ScopedState<> start(problem.getSpaceInformation()->getStateSpace(),
+                                problem.getStartState(0));
+  problem.setStartAndGoalStates(start, start, 1e9);
 }
 void move_start(ob::ProblemDefinition& problem) {
   auto* start = problem.getStartState(0)->as<ob::RealVectorStateSpace::StateType>();
