@@ -41,7 +41,7 @@ const std::vector<VehicleSpec>& vehicles() {
       // out. The disc holds its hull of 0.458 x 0.416 m: 0.5 hypot(0.458, 0.416) = 0.309 m.
       {.name = "jackal",
        .body_radius_m = 0.31,
-       .planning_clearance_m = 0.46,
+       .planning_clearance_m = 0.35,
        .limits = {.max_speed_m_s = 2,
                   .max_acceleration_m_s2 = 20,
                   .max_yaw_rate_rad_s = 4,
@@ -65,6 +65,7 @@ const std::vector<VehicleSpec>& vehicles() {
        .regulator = PdRateConfig::kName},
       // As large and as fast as `ideal`: what is the wheels' doing.
       {.name = "unicycle",
+       .planning_clearance_m = 0.29,
        .limits = {.max_acceleration_m_s2 = 3, .max_tilt_rad = kNoTilt_rad},
        .model = UnicycleConfig{},
        .regulator = ArcTrackerConfig::kName}};

@@ -13,6 +13,17 @@ constexpr std::array kArcScales = {0.05, 0.12, 0.25, 0.4, 0.6, 0.8, 1.0};
 constexpr double kStraightCosine = 0.985;
 constexpr std::size_t kSlowArcs = 2;
 constexpr std::size_t kTurn = 1;  // level
+// A point nearer than this to where it will be then is as good as passed.
+constexpr double kPassed_m = 0.03;
+
+// Where it will be, if it goes on as it does; angles are small.
+DriveMotion led(const DriveMotion& now, double lead_s) {
+  const Vec2 turned = lead_s * now.w_rad_s * left_of(now.heading);
+  DriveMotion then = now;
+  then.p_m += lead_s * now.v_m_s * (now.heading + 0.5 * turned).normalized();
+  then.heading = (now.heading + turned).normalized();
+  return then;
+}
 
 }  // namespace
 
@@ -30,10 +41,23 @@ void ArcLadder::set_up(const WantedMotion& wanted, const VehicleState& state) {
   const bool backwards = wanted.may_reverse && now_.heading.dot(towards) < 0;
   const Vec2 front = backwards ? Vec2(-now_.heading) : now_.heading;
   full_ = backwards ? arc_back_towards(now_.heading, way_m, speed_m_s, now_.v_m_s, limits)
-                    : arc_towards(now_.heading, way_m, speed_m_s, now_.v_m_s, limits);
+                    : arc_ahead(way_m, speed_m_s);
   turn_ = {0, full_.v_m_s == 0 ? full_.w_rad_s : turn_rate_rad_s(front, towards, 0, limits)};
   scales_ = kArcScales;
   if (front.dot(towards) < kStraightCosine) scales_ = scales_.subspan(kSlowArcs);
+}
+
+// The yaw rate lags by the time constant of its loop. So the arc is the one from where the vehicle
+// will be by then: the one from where it is would come late, and swing about the path.
+ArcCommand ArcLadder::arc_ahead(const Vec2& way_m, double speed_m_s) const {
+  const ArcLimits& limits = response_.limits;
+  const ArcCommand from_here = arc_towards(now_.heading, way_m, speed_m_s, now_.v_m_s, limits);
+  if (from_here.v_m_s == 0 || now_.v_m_s <= 0) return from_here;
+  const DriveMotion then = led(now_, 1 / response_.yaw_rate_gain_1_s);
+  const Vec2 rest_m = way_m - (then.p_m - now_.p_m);
+  if (rest_m.dot(then.heading) < kPassed_m) return from_here;
+  const ArcCommand from_then = arc_towards(then.heading, rest_m, speed_m_s, now_.v_m_s, limits);
+  return from_then.v_m_s > 0 ? from_then : from_here;
 }
 
 std::size_t ArcLadder::top() const {

@@ -27,6 +27,7 @@ class ArcLadder : public CommandLadder {
   double stray_m(const VehicleState& state) const override;
 
  private:
+  ArcCommand arc_ahead(const Vec2& way_m, double speed_m_s) const;
   ArcCommand arc(std::size_t level) const;
 
   DriveResponse response_;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -24,5 +25,11 @@ inline constexpr double kDepartureDrift_m = 0.003;
 // tests/planners/navigation/departure_test.cpp. O(places x corners).
 bool leads_away(const Vec2& v_command_m_s, std::span<const Vec2> track,
                 std::span<const Vec2> places);
+
+// The direction (unit vector) nearest to `towards` (unit vector), to 5 degrees, in which a body at
+// p leaves all places behind by a good deal more than kDepartureFraction; none if they lie all
+// around. O(places x directions).
+std::optional<Vec2> departing_direction(const Vec2& towards, const Vec2& p_world,
+                                        std::span<const Vec2> places);
 
 }  // namespace voronaut

@@ -84,11 +84,15 @@ class Navigator {
   std::optional<Vec2> nearest_within_clearance(const Vec2& p_world) const;
   std::optional<Vec2> unknown_that_holds_back(const VehicleState& state) const;
   std::optional<Vec2> unknown_to_look_at(const VehicleState& state);
+  bool is_on_surface(const Vec2& unknown_world) const;
 
   // steering: navigator_steering.cpp
   LookaheadPoint lookahead(const VehicleState& state, double now_s, Setpoint& setpoint);
-  double lookahead_clearance_m() const;
+  double lookahead_clearance_m(const Vec2& p_world) const;
   bool governs_wheels() const;
+  bool governs_turning_wheels() const;
+  double kept_from_known_m() const;
+  void leave_what_it_touches(WantedMotion& wanted, const VehicleState& state, KnownClearance kept);
   Vec2 repulsive_heading(const Vec2& towards, const Vec2& p_world) const;
   Vec2 kept_within_bounds(const Vec2& towards, const VehicleState& state) const;
   MotionCommand govern(const WantedMotion& wanted, const VehicleState& state, KnownClearance kept);
@@ -119,6 +123,8 @@ class Navigator {
   double reduced_clearance_until_s_ = 0;
   std::optional<Vec2> refused_at_;  // by the governor, at the latest scan
   std::optional<Vec2> looks_at_;    // on wheels: an unknown place that it turns to
+  bool leaves_ = false;             // on wheels: what its tube touches as it stands
+  std::vector<Vec2> touched_;       // scratch: places of that
   NavigationReport report_;
   NavigationObserver* observer_ = nullptr;
 };

@@ -51,10 +51,19 @@ std::optional<Vec2> Navigator::unknown_to_look_at(const VehicleState& state) {
     const double off_rad = heading_error_rad(state.heading_world(), way.normalized());
     return std::abs(off_rad) > share * 0.5 * config_.range_finder.field_of_view_rad;
   };
-  if (!looks_at_ && held_back_by && off_view(*held_back_by, kOutOfView)) looks_at_ = held_back_by;
+  if (!looks_at_ && held_back_by && off_view(*held_back_by, kOutOfView) &&
+      !is_on_surface(*held_back_by))
+    looks_at_ = held_back_by;
   if (looks_at_ && (free_space_.is_free(*looks_at_) || !off_view(*looks_at_, kWellInView)))
     looks_at_.reset();
   return looks_at_;
+}
+
+// A cell on a surface that has been seen never becomes known free, however often it is looked at.
+// Every return has a known point closer than the thinning distance.
+bool Navigator::is_on_surface(const Vec2& unknown_world) const {
+  const double near_m = config_.mapping.thinning_distance_m + 2 * free_space_.cell_radius_m();
+  return map_.snapshot().nearest(unknown_world, near_m).has_value();
 }
 
 void Navigator::recover(const VehicleState& state, double now_s) {

@@ -1,6 +1,9 @@
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <utility>
 
+#include "voronaut/planners/navigation/departure.h"
 #include "voronaut/planners/navigation/navigator.h"
 
 // Where to go now, how fast, and what the governor says to it.
@@ -14,6 +17,16 @@ constexpr double kRepulsionMax = 2;
 constexpr double kNoDirection = 0.1;
 // Beyond what the governor keeps from the bounds, a heading turns inwards within so much.
 constexpr double kRoomToBounds_m = 0.02;
+// The way to the lookahead point comes so much closer to known points than planners plan, or so
+// much closer than it is.
+constexpr double kSwing_m = 0.01;
+constexpr double kCloser_m = 0.002;
+// Leaving what its tube touches: from standing, along a line, until it is so far from it. A course
+// along a wall drifts towards it, so what is nearly touched holds it up, too.
+constexpr double kStandsStill_m_s = 0.1;
+constexpr double kStraightAhead_m = 1;
+constexpr double kLeft_m = 0.008;
+constexpr double kTouched_m = kDepartureDrift_m;
 
 // These lead back to where the vehicle came from: nothing there needs looking at.
 bool leads_back(ExecutiveState state) {
@@ -42,11 +55,12 @@ Setpoint Navigator::steer(const VehicleState& state, double now_s) {
       speed_limit_m_s(config_.navigation.speed_rule, belief_, towards, braking_,
                       config_.navigation.reaction_time_s, ahead.speed_limit_m_s);
   if (governor_) {
-    const WantedMotion wanted{.v_world = looks_at_ ? Vec2(0, 0) : Vec2(speed_m_s * towards),
-                              .heading_world = setpoint.heading_world,
-                              .yaw_rate_rad_s = setpoint.yaw_rate_rad_s,
-                              .lookahead_m = way.norm(),
-                              .may_reverse = leads_back(report_.executive)};
+    WantedMotion wanted{.v_world = looks_at_ ? Vec2(0, 0) : Vec2(speed_m_s * towards),
+                        .heading_world = setpoint.heading_world,
+                        .yaw_rate_rad_s = setpoint.yaw_rate_rad_s,
+                        .lookahead_m = way.norm(),
+                        .may_reverse = leads_back(report_.executive)};
+    leave_what_it_touches(wanted, state, kept);
     std::visit([&](const auto& command) { setpoint.motion = command; },
                govern(wanted, state, kept));
   } else if (ahead.end == PathEnd::goal) {
@@ -83,7 +97,7 @@ LookaheadPoint Navigator::lookahead(const VehicleState& state, double now_s, Set
         yaw_policy_.yaw_rate_rad_s(setpoint.heading_world, state.heading_world());
     tracker_.advance(p);
     return tracker_.lookahead(p, state.v_world.head<2>().norm(), belief_.obstacles,
-                              lookahead_clearance_m());
+                              lookahead_clearance_m(p));
   }
   if (departed) report_.executive = ExecutiveState::without_path;
   return here;
@@ -91,14 +105,64 @@ LookaheadPoint Navigator::lookahead(const VehicleState& state, double now_s, Set
 
 // What the way to the lookahead point keeps from known points. A governed vehicle on wheels swings
 // about its path; with all that planners keep, the point would come so near in a passage as wide as
-// they plan for that the swings grow. The governor's margin is room enough for them.
-double Navigator::lookahead_clearance_m() const {
+// they plan for that the swings grow. What is closer already need not get away on its way there.
+double Navigator::lookahead_clearance_m(const Vec2& p_world) const {
   const double clearance_m = config_.vehicle.planning_clearance_m;
-  return governs_wheels() ? clearance_m - SafetyGovernor::kKnownMargin_m : clearance_m;
+  if (!governs_wheels()) return clearance_m;
+  if (!governs_turning_wheels()) return kept_from_known_m();
+  const auto nearest = nearest_obstacle_within_clearance(p_world);
+  const double now_m = nearest ? (*nearest - p_world).norm() : clearance_m;
+  return std::min(clearance_m - kSwing_m, now_m - kCloser_m);
+}
+
+// How close the governor lets a vehicle come to known points.
+double Navigator::kept_from_known_m() const {
+  return config_.vehicle.planning_clearance_m - SafetyGovernor::kKnownMargin_m;
 }
 
 bool Navigator::governs_wheels() const {
   return governor_ && config_.vehicle.steering == Steering::along_heading;
+}
+
+// That can turn where it stands.
+bool Navigator::governs_turning_wheels() const {
+  return governs_wheels() &&
+         std::holds_alternative<DriveResponse>(*config_.vehicle.motion_response);
+}
+
+// A vehicle on wheels that stands where its tube touches cells on a wall, or as close to a known
+// point as it may, can only go where it leaves all of them behind. The way that it wants seldom
+// does, and turning to it and back it would stand for ever: it turns no farther than it must, backs
+// out if that way lies behind, and goes on once it has left them by kLeft_m.
+void Navigator::leave_what_it_touches(WantedMotion& wanted, const VehicleState& state,
+                                      KnownClearance kept) {
+  const double speed_m_s = state.v_world.head<2>().norm();
+  const bool leaves = std::exchange(leaves_, false);
+  if (!governs_turning_wheels() || wanted.v_world.isZero() || speed_m_s > kDepartureSpeed_m_s)
+    return;
+  const auto* before = std::get_if<ArcCommand>(&report_.setpoint.motion);
+  const bool held_back = report_.speed_scale < kHeldBackScale;
+  const bool stands =
+      before != nullptr && (held_back || before->v_m_s == 0) && speed_m_s < kStandsStill_m_s;
+  if (!leaves && !stands) return;
+  const Vec2 p = state.p_world.head<2>();
+  const std::array here{p, p};
+  const double near_m = leaves ? kLeft_m : kTouched_m;
+  const double tube_m = config_.vehicle.body_radius_m + governor_->room_to_bounds_m(state);
+  free_space_.unknown_cells_in_tube(here, tube_m + near_m, touched_);
+  if (kept == KnownClearance::planned) {
+    const ObstacleSnapshot known = map_.snapshot();
+    if (const auto nearest = known.nearest(p, kept_from_known_m() + near_m))
+      touched_.push_back(known.points()[*nearest]);
+  }
+  if (touched_.empty()) return;
+  const double wanted_m_s = wanted.v_world.norm();
+  const auto away = departing_direction(wanted.v_world / wanted_m_s, p, touched_);
+  if (!away) return;
+  leaves_ = true;
+  wanted.v_world = wanted_m_s * *away;
+  wanted.lookahead_m = kStraightAhead_m;
+  wanted.may_reverse = true;
 }
 
 // Closer to a known point than planners plan, a heading also leads away from it; on wheels, which
@@ -109,7 +173,9 @@ Vec2 Navigator::repulsive_heading(const Vec2& towards, const Vec2& p_world) cons
   const Vec2 from_nearest = p_world - *nearest;
   const double distance_m = from_nearest.norm();
   if (distance_m == 0) return towards;
-  const double too_close_m = lookahead_clearance_m() - distance_m;
+  const double keep_m =
+      governs_wheels() ? kept_from_known_m() : config_.vehicle.planning_clearance_m;
+  const double too_close_m = keep_m - distance_m;
   if (too_close_m <= 0) return towards;
   const double repulsion = std::min(kRepulsionMax, too_close_m / SafetyGovernor::kKnownMargin_m);
   const Vec2 blended = towards + (repulsion / distance_m) * from_nearest;

@@ -135,5 +135,41 @@ TEST(Navigator, RefusesAPlannerThatNobodyKnows) {
   EXPECT_THROW(Navigator(config, PlannerCatalog::built_in()), std::invalid_argument);
 }
 
+// On wheels, a hand's width beside a wall that runs along its way and out of its view. Cells on the
+// wall are unknown for ever: it turns away from them and not to them.
+TEST(Navigator, DoesNotTurnToLookAtAWallThatItHasSeen) {
+  TrialSpec spec = governed();
+  spec.vehicle = find_vehicle("unicycle");
+  spec.regulator_name = spec.vehicle.regulator;
+  spec.regulator = find_regulator(spec.regulator_name);
+  Shapes wall;
+  wall.segments.push_back({Vec2(-2, -0.262), Vec2(8, -0.262)});
+  spec.scenario.world = std::make_shared<World>(Bounds{Vec2(-3, -6), Vec2(14, 6)}, wall);
+  spec.vehicle.planning_clearance_m = 0.26;  // a path along the wall keeps that
+  spec.scenario.cruise_height_m = 0;
+  spec.flight.navigation.look_around = false;
+  spec.flight.range_finder.noise_sigma_m = 0;
+  Navigator navigator(navigator_config(spec), PlannerCatalog::built_in());
+  const RangeFinder finder(spec.flight.range_finder);
+  Random random(1);
+  Scan scan;
+  for (const Vec2& corner :
+       {Vec2(1, 1), Vec2(0, 1), Vec2(-1, 1), Vec2(-1, 0), Vec2(-1, -1), Vec2(0, -1), Vec2(1, -1)}) {
+    finder.sense(*spec.scenario.world, {Vec2(0, 0), corner.normalized()}, 0, random, scan);
+    navigator.map(scan);
+  }
+  const VehicleState state = make_model(spec.vehicle.model)->at_rest({0, 0, 0}, Vec2(1, 0));
+  bool leaves = false;
+  for (int i = 0; i < 10; ++i) {
+    finder.sense(*spec.scenario.world, {Vec2(0, 0), Vec2(1, 0)}, 0, random, scan);
+    const Setpoint setpoint = navigator.update(scan, state, 0.05 * i);
+    const auto& arc = std::get<ArcCommand>(setpoint.motion);
+    EXPECT_GE(arc.w_rad_s, 0) << i;
+    EXPECT_GT(setpoint.heading_world.y(), -0.5) << i;
+    leaves = leaves || arc.w_rad_s > 0.1;
+  }
+  EXPECT_TRUE(leaves);
+}
+
 }  // namespace
 }  // namespace voronaut

@@ -55,14 +55,18 @@ TEST(ArcLadder, ScalesSpeedAndYawRateTogether) {
   }
 }
 
+// From where the vehicle will be once its yaw rate has followed, one time constant later.
 TEST(ArcLadder, LeadsThroughThePointThatIsWanted) {
-  ArcLadder ladder(response());
   const Vec2 towards = Vec2(1, 0.4).normalized();
-  ladder.set_up({.v_world = 0.4 * towards, .lookahead_m = 0.4}, driving(0.4));
-  const auto arc = std::get<ArcCommand>(ladder.command(ladder.top()));
-  // Its centre lies to the left, as far from the vehicle as from the point.
-  const Vec2 centre(0, arc.v_m_s / arc.w_rad_s);
-  EXPECT_NEAR((0.4 * towards - centre).norm(), centre.norm(), 1e-9);
+  for (const double v_m_s : {0.0, 0.4}) {
+    ArcLadder ladder(response());
+    ladder.set_up({.v_world = 0.4 * towards, .lookahead_m = 0.4}, driving(v_m_s));
+    const auto arc = std::get<ArcCommand>(ladder.command(ladder.top()));
+    const Vec2 from(v_m_s / response().yaw_rate_gain_1_s, 0);
+    // Its centre lies to the left, as far from there as from the point.
+    const Vec2 centre = from + Vec2(0, arc.v_m_s / arc.w_rad_s);
+    EXPECT_NEAR((0.4 * towards - centre).norm(), (from - centre).norm(), 1e-9) << v_m_s;
+  }
 }
 
 TEST(ArcLadder, TurnsOnTheSpotWhereNothingButTheBodyHasRoom) {
@@ -145,7 +149,7 @@ TEST(ArcLadder, BrakesAsProvedWhereATurnMeanwhileWouldLeaveIt) {
 TEST(ArcLadder, RemembersWhatWasRefusedWhileItTurns) {
   SafetyGovernor governor(response(), kBodyRadius_m, kClearance_m, kHold_s);
   FreeSpace free(kBounds);
-  free.mark_disc(Vec2(0, 0), 0.3);
+  free.mark_disc(Vec2(0, 0), 0.27);
   const auto allow = [&](const WantedMotion& wanted) {
     return governor.allow(wanted, at_rest(), free, {}, KnownClearance::planned);
   };

@@ -142,5 +142,24 @@ TEST(Departure, LeadsAwayOnlyFromWhatLiesBehind) {
                           std::vector<Vec2>{Vec2(0.3, 0)}));
 }
 
+TEST(Departure, TurnsNoFartherFromTheWayThanItMust) {
+  const std::vector<Vec2> wall{Vec2(-0.1, -0.3), Vec2(0, -0.3), Vec2(0.1, -0.3)};
+  const Vec2 along(1, 0);
+  const auto left = departing_direction(along, Vec2(0, 0), wall);
+  ASSERT_TRUE(left);
+  EXPECT_TRUE(leads_away(0.3 * *left, std::vector<Vec2>{Vec2(0, 0), 0.2 * *left}, wall));
+  EXPECT_GT(left->x(), 0.5) << "goes on all the same";
+  EXPECT_GT(left->y(), 0);
+  EXPECT_EQ(departing_direction(Vec2(0, 1), Vec2(0, 0), wall), Vec2(0, 1)) << "leads away already";
+  const auto from_above = departing_direction(along, Vec2(0, 0), std::vector<Vec2>{Vec2(0, 0.3)});
+  ASSERT_TRUE(from_above);
+  EXPECT_LT(from_above->y(), 0);
+}
+
+TEST(Departure, HasNoDirectionBetweenPlacesOnBothSides) {
+  const std::vector<Vec2> both{Vec2(0, 0.3), Vec2(0, -0.3)};
+  EXPECT_FALSE(departing_direction(Vec2(1, 0), Vec2(0, 0), both));
+}
+
 }  // namespace
 }  // namespace voronaut

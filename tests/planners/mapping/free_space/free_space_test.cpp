@@ -265,7 +265,7 @@ TEST(FreeSpace, KnowsFarViewsToo) {
   const Bounds bounds{Vec2(-700, -700), Vec2(700, 700)};
   int free_cells = 0;
   for (std::uint64_t seed = 1; seed <= 6; ++seed) {
-    FreeSpace space(bounds);
+    FreeSpace space(bounds, {.cell_m = 0.05});
     Scan scan = look(Vec2(0.01, 0.02), Vec2(1, 0), {}, kFullCircle_rad, 360);
     scan.max_range_m = 300;
     Random random(seed);
@@ -299,7 +299,7 @@ TEST(FreeSpace, SweptDiscIsFreeExactlyIfEveryCellItTouchesIs) {
   int free_count = 0;
   for (std::uint64_t seed = 1; seed <= 20; ++seed) {
     Random random(seed);
-    FreeSpace space(kBounds);
+    FreeSpace space(kBounds, {.cell_m = cell_m});
     for (int i = 0; i < 8; ++i) {
       space.mark_disc(Vec2(random.uniform(-2, 2), random.uniform(-2, 2)), random.uniform(0.5, 1.5));
     }
