@@ -1,5 +1,6 @@
 #include "voronaut/planners/problem/solution_path.h"
 
+#include <limits>
 #include <stdexcept>
 
 #include <gtest/gtest.h>
@@ -76,6 +77,8 @@ TEST_F(SolutionPathAsked, OfAReactivePlannerIsItsNextLeg) {
 TEST_F(SolutionPathAsked, ThatIsClaimedButNotThereIsThePlannersFault) {
   EXPECT_THROW(asked(Status::EXACT_SOLUTION, {}), std::runtime_error);
   EXPECT_THROW(asked(Status::APPROXIMATE_SOLUTION, {}, true), std::runtime_error);
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_THROW(asked(Status::EXACT_SOLUTION, {{1, 1}, {1, nan}, {9, 9}}), std::runtime_error);
 }
 
 }  // namespace

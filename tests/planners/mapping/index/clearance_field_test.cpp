@@ -53,6 +53,22 @@ TEST(ClearanceField, NeverClaimsMoreThanThePointsAllow) {
   }
 }
 
+// Just within the radius of one point, in every direction and wherever the cells lie.
+TEST(ClearanceField, CallsNoDiscClearThatAPointReachesByAHairsBreadth) {
+  for (std::uint64_t seed = 1; seed <= 200; ++seed) {
+    Random random(seed);
+    ClearanceField field(random.uniform(0.2, ClearanceField::kLargestRadiusM));
+    const Vec2 known(random.uniform(-5, 5), random.uniform(-5, 5));
+    field.add(known);
+    for (int i = 0; i < 200; ++i) {
+      const Vec2 away = Vec2(random.normal(), random.normal()).normalized();
+      ASSERT_NE(field.disc_at(known + (field.radius_m() - 1e-6) * away),
+                ClearanceField::Disc::clear)
+          << "seed " << seed;
+    }
+  }
+}
+
 TEST(ClearanceField, KnowsNothingNearWherePointsAreFar) {
   ClearanceField field(0.4);
   EXPECT_EQ(field.disc_at({3, 4}), ClearanceField::Disc::clear);
