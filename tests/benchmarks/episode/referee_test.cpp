@@ -134,13 +134,13 @@ TEST(Referee, IgnoresTheGroundBelowHalfAMetre) {
 TEST(Referee, CallsStandingStillWhatStaysWithinTheRadiusAndNothingElse) {
   const Scenario scenario = open_field();
   const double radius_m = LoopConfig{}.stuck_radius_m;
-  Referee creeping(scenario, kBodyRadius_m, 10, {});
+  Referee pacing(scenario, kBodyRadius_m, 10, {});
   Referee dithering(scenario, kBodyRadius_m, 10, {});
   for (int i = 1; i <= 3; ++i) {
-    creeping.judge(19.0 * i, at(1.01 * radius_m * i, 0));
+    pacing.judge(19.0 * i, at(1.01 * radius_m * (i % 2), 0));
     dithering.judge(19.0 * i, at(0.99 * radius_m * (i % 2), 0));
   }
-  EXPECT_FALSE(creeping.verdict());
+  EXPECT_FALSE(pacing.verdict());
   ASSERT_TRUE(dithering.verdict());
   EXPECT_EQ(dithering.verdict()->outcome, Outcome::stuck);
 }
