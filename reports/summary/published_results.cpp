@@ -51,9 +51,11 @@ std::map<Entrant, ByWorld> entrants_of(const std::vector<RunRecord>& records,
 std::set<std::string> met_by_all(const std::map<Entrant, ByWorld>& entrants) {
   std::set<std::string> met;
   if (entrants.empty()) return met;
-  for (const auto& [scenario, world] : entrants.begin()->second)
+  for (const auto& met_by_first : entrants.begin()->second) {
+    const std::string& scenario = met_by_first.first;
     if (std::ranges::all_of(entrants, [&](const auto& e) { return e.second.contains(scenario); }))
       met.insert(scenario);
+  }
   return met;
 }
 
