@@ -5,6 +5,7 @@
 
 #include "voronaut/dynamics/regulators/guidance.h"
 #include "voronaut/dynamics/regulators/thrust_vectoring.h"
+#include "voronaut/dynamics/regulators/tilt_response.h"
 
 namespace voronaut {
 namespace {
@@ -106,20 +107,12 @@ StoppingLaw CascadePid::stopping_law() const {
 }
 
 VelocityResponse CascadePid::velocity_response() const {
-  VelocityResponse response;
-  response.period_s = period_s_;
-  response.k_1_s = config_.velocity_gain_1_s;
-  response.a_max_m_s2 = max_acceleration_m_s2_;
-  response.gravity_m_s2 = vehicle_.gravity_m_s2;
-  response.gain_1_s2 = config_.attitude_gain_1_s * config_.rate_gain_1_s;
-  response.damping_1_s = config_.rate_gain_1_s;
-  response.push_max_m_s4 =
-      vehicle_.gravity_m_s2 * allocation_.max_tilt_torque_N_m() / inertia_kg_m2_.x();
-  response.error_at_rest_m = kCascadeStopErrorAtRest_m;
-  response.error_per_speed_s = vehicle_.inertia == QuadrotorConfig::InertiaSet::corrected
-                                   ? kAgileCascadeStopError_s
-                                   : kSluggishCascadeStopError_s;
-  return response;
+  const TiltLoop loop{config_.velocity_gain_1_s, config_.attitude_gain_1_s * config_.rate_gain_1_s,
+                      config_.rate_gain_1_s};
+  return tilt_response(
+      vehicle_, limits_, loop,
+      {kCascadeStopErrorAtRest_m, kAgileCascadeStopError_s, kSluggishCascadeStopError_s},
+      period_s_);
 }
 
 }  // namespace voronaut

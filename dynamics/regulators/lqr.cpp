@@ -3,6 +3,7 @@
 #include "voronaut/dynamics/regulators/guidance.h"
 #include "voronaut/dynamics/regulators/lqr_gains.h"
 #include "voronaut/dynamics/regulators/thrust_vectoring.h"
+#include "voronaut/dynamics/regulators/tilt_response.h"
 
 namespace voronaut {
 namespace {
@@ -73,20 +74,10 @@ StoppingLaw Lqr::stopping_law() const {
 }
 
 VelocityResponse Lqr::velocity_response() const {
-  VelocityResponse response;
-  response.period_s = period_s_;
-  response.k_1_s = stopping_law().k_1_s;
-  response.a_max_m_s2 = max_acceleration_m_s2_;
-  response.gravity_m_s2 = vehicle_.gravity_m_s2;
-  response.gain_1_s2 = config_.acceleration_gain_1_s2;
-  response.damping_1_s = config_.jerk_gain_1_s;
-  response.push_max_m_s4 =
-      vehicle_.gravity_m_s2 * allocation_.max_tilt_torque_N_m() / inertia_kg_m2_.x();
-  response.error_at_rest_m = kLqrStopErrorAtRest_m;
-  response.error_per_speed_s = vehicle_.inertia == QuadrotorConfig::InertiaSet::corrected
-                                   ? kAgileLqrStopError_s
-                                   : kSluggishLqrStopError_s;
-  return response;
+  const TiltLoop loop{stopping_law().k_1_s, config_.acceleration_gain_1_s2, config_.jerk_gain_1_s};
+  return tilt_response(vehicle_, limits_, loop,
+                       {kLqrStopErrorAtRest_m, kAgileLqrStopError_s, kSluggishLqrStopError_s},
+                       period_s_);
 }
 
 }  // namespace voronaut

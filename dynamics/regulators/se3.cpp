@@ -5,6 +5,7 @@
 
 #include "voronaut/dynamics/regulators/guidance.h"
 #include "voronaut/dynamics/regulators/thrust_vectoring.h"
+#include "voronaut/dynamics/regulators/tilt_response.h"
 
 namespace voronaut {
 namespace {
@@ -96,20 +97,12 @@ StoppingLaw Se3::stopping_law() const {
 }
 
 VelocityResponse Se3::velocity_response() const {
-  VelocityResponse response;
-  response.period_s = period_s_;
-  response.k_1_s = config_.velocity_gain_1_s;
-  response.a_max_m_s2 = max_acceleration_m_s2_;
-  response.gravity_m_s2 = vehicle_.gravity_m_s2;
-  response.gain_1_s2 = config_.attitude_pole_rad_s * config_.attitude_pole_rad_s;
-  response.damping_1_s = 2 * config_.attitude_damping * config_.attitude_pole_rad_s;
-  response.push_max_m_s4 =
-      vehicle_.gravity_m_s2 * allocation_.max_tilt_torque_N_m() / inertia_kg_m2_.x();
-  response.error_at_rest_m = kSe3StopErrorAtRest_m;
-  response.error_per_speed_s = vehicle_.inertia == QuadrotorConfig::InertiaSet::corrected
-                                   ? kAgileSe3StopError_s
-                                   : kSluggishSe3StopError_s;
-  return response;
+  const TiltLoop loop{config_.velocity_gain_1_s,
+                      config_.attitude_pole_rad_s * config_.attitude_pole_rad_s,
+                      2 * config_.attitude_damping * config_.attitude_pole_rad_s};
+  return tilt_response(vehicle_, limits_, loop,
+                       {kSe3StopErrorAtRest_m, kAgileSe3StopError_s, kSluggishSe3StopError_s},
+                       period_s_);
 }
 
 }  // namespace voronaut
