@@ -2,7 +2,7 @@
 #
 #   floor 3  benchmarks                      sees all
 #   floor 2  planners                        sees what a sensor and a path are, nothing of the truth
-#   floor 1  environments dynamics reports   never each other
+#   floor 1  environments dynamics reports   never each other, but for what a path is
 #
 # A folder is a room. Directly in one of the five folders each file is a room of its own, its .h
 # and .cpp together: what all of the folder stands on (dynamics/state.h) and its catalogue
@@ -11,12 +11,12 @@
 
 cmake_minimum_required(VERSION 3.22)
 
-set(allowed_environments "environments/")
+set(allowed_environments "environments/" "dynamics/path[.]h")
 set(allowed_dynamics "dynamics/")
 set(allowed_reports "reports/")
 set(allowed_planners
   "planners/"
-  "environments/shapes/(geometry|shapes|shape_index)[.]h"
+  "environments/shapes/(cell_grid|geometry|shapes|shape_index)[.]h"
   "environments/sensing/(scan|ray_caster)[.]h"
   "environments/config/nearest_name[.]h"
   "dynamics/(state|path|limits|stopping|speed_profile|heading|velocity_response|motion_response)[.]h")

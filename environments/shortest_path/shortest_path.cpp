@@ -4,8 +4,7 @@
 #include <cstdint>
 #include <queue>
 #include <stdexcept>
-
-#include <sleef.h>
+#include <vector>
 
 #include "voronaut/environments/shortest_path/tangent_graph.h"
 
@@ -128,26 +127,28 @@ class TangentSearch {
   }
 
   ShortestPath path_to(std::uint32_t arrival) {
-    ShortestPath path;
-    path.length_m = arrivals_[arrival].length_m;
+    std::vector<PathSegment> segments;  // from the goal back
+    const double length_m = arrivals_[arrival].length_m;
     while (arrival != 0) {
       const Arrival& from = arrivals_[arrivals_[arrival].previous];
       const Way& way = graph_.ways_from(from.rim)[arrivals_[arrival].way];
       const Disc& disc = graph_.disc(from.rim);
       const Vec2 touch = disc.center + disc.radius_m * from.at;
       const Vec2 leave = disc.center + disc.radius_m * way.tangent.depart;
-      if (way.tangent.length_m > 0) {
-        path.pieces.push_back({leave, graph_.arrival_point(way), way.tangent.length_m});
-      }
-      const double turn_m = arc_m(from, way);
-      if (turn_m > 0) {
-        const bool left = TangentGraph::turn(from.rim) > 0;
-        path.pieces.push_back({touch, leave, turn_m, true, disc.center, left});
-      }
+      if (way.tangent.length_m > 0)
+        segments.push_back({.start = leave, .end = graph_.arrival_point(way)});
+      if (touch != leave)  // nor does a taut path wind around the whole of a rim
+        segments.push_back({.kind = PathSegment::Kind::arc,
+                            .start = touch,
+                            .end = leave,
+                            .center = disc.center,
+                            .counter_clockwise = TangentGraph::turn(from.rim) > 0});
       arrival = arrivals_[arrival].previous;
     }
-    std::reverse(path.pieces.begin(), path.pieces.end());
-    return path;
+    ShortestPath shortest{length_m, {}};
+    for (auto segment = segments.rbegin(); segment != segments.rend(); ++segment)
+      shortest.path.append(*segment);
+    return shortest;
   }
 
   TangentGraph graph_;
@@ -159,28 +160,6 @@ class TangentSearch {
 };
 
 }  // namespace
-
-std::vector<Vec2> ShortestPath::polyline(double sag_m) const {
-  std::vector<Vec2> points;
-  if (!pieces.empty()) points.push_back(pieces.front().start);
-  for (const Piece& piece : pieces) {
-    if (piece.arc) {
-      const Vec2 from = piece.start - piece.center;
-      const double radius_m = from.norm();
-      const double angle_rad = piece.length_m / radius_m;
-      // A chord over the angle a is 1 - cos(a / 2), at most a^2 / 8, radii from its arc.
-      const double chord_rad = std::sqrt(8 * sag_m / radius_m);
-      const auto chords = static_cast<int>(std::min(std::ceil(angle_rad / chord_rad), 1e6));
-      for (int i = 1; i < chords; ++i) {
-        const auto sin_cos = Sleef_cinz_sincosd1_u10purec(angle_rad * i / chords);
-        const double side = piece.counter_clockwise ? sin_cos.x : -sin_cos.x;
-        points.push_back(piece.center + sin_cos.y * from + side * left_of(from));
-      }
-    }
-    points.push_back(piece.end);
-  }
-  return points;
-}
 
 std::optional<ShortestPath> shortest_path(const World& world, const Vec2& start, const Vec2& goal,
                                           double radius_m) {

@@ -1,28 +1,16 @@
 #pragma once
 
 #include <optional>
-#include <vector>
 
+#include "voronaut/dynamics/path.h"
 #include "voronaut/environments/world.h"
 
 namespace voronaut {
 
-// A taut path of a disc's centre: straight pieces and arcs around what it is pulled against.
+// A taut path of a disc's centre: lines, and arcs around what it is pulled against.
 struct ShortestPath {
-  struct Piece {
-    Vec2 start;
-    Vec2 end;
-    double length_m = 0;
-    bool arc = false;
-    Vec2 center = Vec2::Zero();     // arcs only
-    bool counter_clockwise = true;  // arcs only
-  };
-
   double length_m = 0;
-  std::vector<Piece> pieces;  // connected, from start to goal; none if they are the same point
-
-  // Points along the path, arcs cut into chords that stay within sag_m > 0 of them.
-  std::vector<Vec2> polyline(double sag_m) const;
+  Path path;  // from start to goal; empty if they are the same point
 };
 
 // Part of the radius that may be missing where the disc passes or touches obstacles and bounds, so

@@ -3,18 +3,19 @@
 #include <cstdint>
 #include <vector>
 
-#include "voronaut/environments/shapes/geometry.h"
+#include "voronaut/environments/shapes/cell_grid.h"
 
 namespace voronaut {
 
 // Points in a grid of square cells, for exact swept-disc tests at a cost of the cells in reach.
-// Adding a point is O(1), the first one in a row of cells O(its cells); points outside the area
-// count to the cells at its border. Memory: the points and the rows of cells that have any.
+// Adding a point is O(1), the first one in a row of cells O(its cells). Memory: the points and the
+// rows of cells that have any.
 class SiteCells {
  public:
   // Cells of cell_m, larger if the area would take more than 2^20 of them. Forgets all points.
   // O(rows).
   void reset(const Bounds& area, double cell_m);
+  // A point of the area, or beside it by rounding.
   void add(const Vec2& p);
   std::size_t size() const { return points_.size(); }
 
@@ -26,20 +27,12 @@ class SiteCells {
  private:
   // Calls f(index) for the points of all cells that the swept disc touches, until f returns false.
   template <class F>
-  void for_each_near(const Vec2& a, const Vec2& b, double radius_m, F&& f) const;
-  // The same for a part of one row; false if f did.
-  template <class F>
-  bool visit_row(int row_start, int first_column, int last_column, F&& f) const;
-  int column(double x) const;
-  int row(double y) const;
+  void for_each_near(const Segment& s, double radius_m, F&& f) const;
 
-  Vec2 min_ = Vec2::Zero();
-  double cell_m_ = 1;
-  int columns_ = 1;
-  int rows_ = 1;
+  CellGrid grid_;
   static constexpr std::int32_t kNoPoints = -1;
-  std::vector<std::int32_t> row_start_ = {kNoPoints};  // of a row's cells in head_
-  std::vector<std::int32_t> head_;                     // of the rows that have points
+  std::vector<std::int32_t> row_start_;  // of a row's cells in head_
+  std::vector<std::int32_t> head_;       // of the rows that have points
   std::vector<std::int32_t> next_;
   std::vector<Vec2> points_;
 };
