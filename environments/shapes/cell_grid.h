@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 
 #include "voronaut/environments/shapes/geometry.h"
@@ -36,9 +37,14 @@ class CellGrid {
   // The cells that an area touches.
   Range cells_in(const Bounds& area) const;
   // Calls cells(y, x0, x1), inclusive, row by row, for cells that hold every place within pad_m of
-  // the segment, until it returns false; returns the last answer.
+  // the segment, until it returns false; returns the last answer. Rows y that have none,
+  // !has_any(y), are left out.
+  template <class OnCells, class OnRow>
+  bool for_cells_near(const Segment& s, double pad_m, OnCells&& cells, OnRow&& has_any) const;
   template <class OnCells>
-  bool for_cells_near(const Segment& s, double pad_m, OnCells&& cells) const;
+  bool for_cells_near(const Segment& s, double pad_m, OnCells&& cells) const {
+    return for_cells_near(s, pad_m, cells, [](int) { return true; });
+  }
 
   // Where a ray is on its way through the cells: Amanatides and Woo, "A Fast Voxel Traversal
   // Algorithm for Ray Tracing", Eurographics 1987.
@@ -86,26 +92,33 @@ class CellGrid {
   int rows_ = 0;
 };
 
-template <class OnCells>
-bool CellGrid::for_cells_near(const Segment& s, double pad_m, OnCells&& cells) const {
-  const Vec2 pad = Vec2::Constant(pad_m);
-  const Range range = cells_in({s.a.cwiseMin(s.b) - pad, s.a.cwiseMax(s.b) + pad});
-  const Vec2 along = s.b - s.a;
-  for (int y = range.y0; y <= range.y1; ++y) {
-    // The part of the segment from which the row can be reached.
-    double from = 0;
-    double to = 1;
-    if (along.y() != 0) {
-      const double bottom_m = origin_.y() + y * cell_m_ - pad_m - s.a.y();
-      const double at_bottom = bottom_m / along.y();
-      const double at_top = (bottom_m + cell_m_ + 2 * pad_m) / along.y();
-      from = std::clamp(std::min(at_bottom, at_top), 0.0, 1.0);
-      to = std::clamp(std::max(at_bottom, at_top), 0.0, 1.0);
+template <class OnCells, class OnRow>
+bool CellGrid::for_cells_near(const Segment& s, double pad_m, OnCells&& cells,
+                              OnRow&& has_any) const {
+  // From the lower end up, in cells.
+  const bool rises = s.a.y() <= s.b.y();
+  const Vec2 lower = ((rises ? s.a : s.b) - origin_) * cells_per_m_;
+  const Vec2 along = ((rises ? s.b : s.a) - origin_) * cells_per_m_ - lower;
+  const double pad = pad_m * cells_per_m_;
+  const double left = std::min(lower.x(), lower.x() + along.x());
+  const double right = std::max(lower.x(), lower.x() + along.x());
+  // One that hardly rises is looked at as a whole in each row.
+  const bool steep = along.y() > 1e-9;
+  const double slope = steep ? along.x() / along.y() : 0;
+  const int last_row = std::min(index(lower.y() + along.y() + pad, rows_), rows_ - 1);
+  for (int y = std::max(index(lower.y() - pad, rows_), 0); y <= last_row; ++y) {
+    if (!has_any(y)) continue;
+    double from = left;
+    double to = right;
+    if (steep) {
+      // The part of the segment from which the row can be reached.
+      const double at_bottom = lower.x() + slope * (y - pad - lower.y());
+      const double at_top = at_bottom + slope * (1 + 2 * pad);
+      from = std::max(left, std::min(at_bottom, at_top));
+      to = std::min(right, std::max(at_bottom, at_top));
     }
-    const double x_from = s.a.x() + from * along.x();
-    const double x_to = s.a.x() + to * along.x();
-    const int x0 = std::max(column(std::min(x_from, x_to) - pad_m), range.x0);
-    const int x1 = std::min(column(std::max(x_from, x_to) + pad_m), range.x1);
+    const int x0 = std::max(index(from - pad, columns_), 0);
+    const int x1 = std::min(index(to + pad, columns_), columns_ - 1);
     if (x0 <= x1 && !cells(y, x0, x1)) return false;
   }
   return true;

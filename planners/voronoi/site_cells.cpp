@@ -69,13 +69,15 @@ std::int32_t SiteCells::deepest_within(const Vec2& a, const Vec2& b, double radi
 template <class F>
 void SiteCells::for_each_near(const Segment& s, double radius_m, F&& f) const {
   constexpr double kRounding_m = 1e-9;
-  grid_.for_cells_near(s, radius_m + kRounding_m, [&](int y, int x0, int x1) {
-    if (row_start_[y] == kNoPoints) return true;
-    for (int i = row_start_[y] + x0; i <= row_start_[y] + x1; ++i)
-      for (std::int32_t k = head_[i]; k >= 0; k = next_[k])
-        if (!f(k)) return false;
-    return true;
-  });
+  grid_.for_cells_near(
+      s, radius_m + kRounding_m,
+      [&](int y, int x0, int x1) {
+        for (int i = row_start_[y] + x0; i <= row_start_[y] + x1; ++i)
+          for (std::int32_t k = head_[i]; k >= 0; k = next_[k])
+            if (!f(k)) return false;
+        return true;
+      },
+      [&](int y) { return row_start_[y] != kNoPoints; });
 }
 
 }  // namespace voronaut
