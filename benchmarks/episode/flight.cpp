@@ -49,6 +49,7 @@ NavigatorConfig navigator_config(const TrialSpec& spec) {
   config.budget = spec.flight.budget;
   config.mapping = spec.flight.mapping;
   config.navigation = spec.flight.navigation;
+  config.errors = spec.flight.declared_errors;
   return config;
 }
 
@@ -57,6 +58,10 @@ Flight::Flight(const TrialSpec& trial, const PlannerCatalog& planners, bool keep
       ticks_per_scan(ticks_per_scan_of(trial)),
       model(make_model(trial.vehicle.model)),
       regulator(make_regulator(trial.regulator, trial.vehicle, trial.flight.loop.vehicle_period_s)),
+      disturbances(trial.flight.disturbances, model->hold(), trial.flight.loop.vehicle_period_s,
+                   derive_seed(trial.planner_seed, {"disturbances"}, 0)),
+      estimate(trial.flight.declared_errors, make_model(trial.vehicle.model),
+               trial.flight.loop.vehicle_period_s),
       range_finder(trial.flight.range_finder),
       sensor_noise(derive_seed(trial.planner_seed, {"range finder"}, 0)),
       navigator(navigator_config(trial), planners),
@@ -73,6 +78,7 @@ VehicleState Flight::at_start() const {
 const Scan& Flight::sense(const VehicleState& state, double now_s) {
   const Pose2 pose{state.p_world.head<2>(), state.heading_world()};
   range_finder.sense(*spec.scenario.world, pose, now_s, sensor_noise, scan);
+  scan.sensor_world = {estimate.now().p_world.head<2>(), estimate.now().heading_world()};
   return scan;
 }
 

@@ -50,7 +50,7 @@ std::optional<SafetyGovernor> governor_of(const NavigatorConfig& config) {
         "a governor needs a motion response of the kind of the vehicle's steering");
   return SafetyGovernor(*vehicle.motion_response, vehicle.body_radius_m,
                         vehicle.planning_clearance_m, config.range_finder.period_s,
-                        config.mission.bounds_world);
+                        config.mission.bounds_world, config.errors);
 }
 
 // How far a vehicle's course swings from its path towards a wall, at a corner or braking, in the
@@ -105,6 +105,7 @@ Navigator::Navigator(const NavigatorConfig& config, const PlannerCatalog& planne
     : config_(config),
       map_(config.mapping),
       free_space_(reachable_bounds(config), {.cell_m = cell_m(config)}),
+      doubted_(config.errors.sensing, config.vehicle.body_radius_m),
       problem_(problem_config(config)),
       planner_traits_(planner_entry(config, planners).traits),
       planner_(make_planner(config, planners, problem_)),
@@ -130,7 +131,7 @@ void Navigator::map(const Scan& scan) {
   const StageNotice notice(observer_, NavigationObserver::Stage::mapping);
   scan_ = scan;
   map_.update(scan_);
-  if (governor_) free_space_.update(scan_);
+  if (governor_) free_space_.update(config_.errors.sensing.none() ? scan_ : doubted_.of(scan_));
   belief_ = {virtual_obstacles_.over(map_.snapshot()), &scan_, map_.scan_clusters(),
              scan_.sensor_world};
   scan_is_new_ = true;

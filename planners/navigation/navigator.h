@@ -7,6 +7,7 @@
 #include <ompl/base/Planner.h>
 
 #include "voronaut/planners/catalog/catalog.h"
+#include "voronaut/planners/mapping/free_space/doubted_scan.h"
 #include "voronaut/planners/mapping/free_space/free_space.h"
 #include "voronaut/planners/mapping/obstacle_base.h"
 #include "voronaut/planners/mapping/virtual_obstacles.h"
@@ -100,7 +101,8 @@ class Navigator {
   const NavigatorConfig config_;
   Scan scan_;
   ObstacleBase map_;
-  FreeSpace free_space_;                // kept up to date for the governor only
+  FreeSpace free_space_;  // kept up to date for the governor only
+  DoubtedScan doubted_;
   VirtualObstacles virtual_obstacles_;  // what planners see beside the map
   Belief belief_;
   PlanningProblem problem_;
