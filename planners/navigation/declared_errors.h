@@ -6,7 +6,7 @@ namespace voronaut {
 
 // What navigation is told of what is not exact, as bounds. By default everything is.
 struct DeclaredErrors {
-  SensingErrors sensing;
+  SensingErrors sensing = {};
   double stop_per_speed_s = 0;
   double latency_s = 0;
   double pose_gain = 1;
