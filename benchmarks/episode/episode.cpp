@@ -12,10 +12,12 @@ EpisodeLog fly(Flight& flight) {
     const double now_s = static_cast<double>(tick) * period_s;
     flight.recorder.step_begins(now_s, state);
     flight.estimate.take(flight.disturbances.told(state));
+    const VehicleState& here = flight.estimate.now();
     const VehicleState& then = flight.estimate.when_it_acts();
-    const Setpoint setpoint = flight.scan_is_due(tick)
-                                  ? flight.navigator.update(flight.sense(state, now_s), then, now_s)
-                                  : flight.navigator.steer(then, now_s);
+    const Setpoint setpoint =
+        flight.scan_is_due(tick)
+            ? flight.navigator.update(flight.sense(state, here, now_s), then, now_s)
+            : flight.navigator.steer(then, now_s);
     const Command command = flight.regulator->regulate(setpoint, then);
     state = flight.model->step(state, flight.disturbances.acting(), period_s);
     flight.estimate.command(command);

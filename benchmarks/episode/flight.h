@@ -23,8 +23,9 @@ struct Flight {
 
   VehicleState at_start() const;
   bool scan_is_due(std::size_t tick) const { return tick % ticks_per_scan == 0; }
-  // What the range finder sees from there, at the pose that is believed; valid until the next call.
-  const Scan& sense(const VehicleState& state, double now_s);
+  // What the range finder sees from there, as a scan from where the vehicle believes to be; valid
+  // until the next call.
+  const Scan& sense(const VehicleState& state, const VehicleState& believed, double now_s);
 
   const TrialSpec& spec;
   const std::size_t ticks_per_scan;

@@ -29,13 +29,12 @@ VehicleState with_heading(VehicleState state, const Vec2& heading) {
 
 }  // namespace
 
-StateEstimate::StateEstimate(const DeclaredErrors& errors, std::unique_ptr<Model> model,
+StateEstimate::StateEstimate(const DeclaredErrors& errors, Step step, const Command& hold,
                              double period_s)
     : gain_(errors.pose_gain),
       period_s_(period_s),
-      model_(std::move(model)),
-      under_way_(static_cast<std::size_t>(std::lround(errors.latency_s / period_s)),
-                 model_->hold()) {}
+      step_(std::move(step)),
+      under_way_(static_cast<std::size_t>(std::lround(errors.latency_s / period_s)), hold) {}
 
 void StateEstimate::take(const VehicleState& told) {
   if (gain_ < 1 && begun_)
@@ -44,7 +43,7 @@ void StateEstimate::take(const VehicleState& told) {
     now_ = told;
   begun_ = true;
   then_ = now_;
-  for (const Command& each : under_way_) then_ = model_->step(then_, each, period_s_);
+  for (const Command& each : under_way_) then_ = step_(then_, each);
 }
 
 void StateEstimate::command(const Command& given) {

@@ -1,9 +1,9 @@
 #pragma once
 
 #include <deque>
-#include <memory>
+#include <functional>
 
-#include "voronaut/dynamics/model.h"
+#include "voronaut/dynamics/state.h"
 #include "voronaut/planners/navigation/declared_errors.h"
 
 namespace voronaut {
@@ -18,8 +18,12 @@ namespace voronaut {
 // with the whole state measured). With gain 1 and no latency both are the state as told.
 class StateEstimate {
  public:
-  // `model`: how commands act, without the errors that nobody knows.
-  StateEstimate(const DeclaredErrors& errors, std::unique_ptr<Model> model, double period_s);
+  // The state one vehicle step later under a command held constant, without the errors that nobody
+  // knows: a model's step().
+  using Step = std::function<VehicleState(const VehicleState&, const Command&)>;
+
+  // `hold`: what acts before any command does.
+  StateEstimate(const DeclaredErrors& errors, Step step, const Command& hold, double period_s);
 
   void take(const VehicleState& told);
   void command(const Command& given);
@@ -32,7 +36,7 @@ class StateEstimate {
 
   double gain_;
   double period_s_;
-  std::unique_ptr<Model> model_;
+  Step step_;
   std::deque<Command> under_way_;  // the first acts now, the last one step before the next given
   bool begun_ = false;
   VehicleState now_, then_;

@@ -139,21 +139,22 @@ TEST(SafetyGovernor, LeavesRoomForWhatIsDeclaredToBeOff) {
   EXPECT_GT(narrowest_m(response, {.stop_per_speed_s = 1}), exact_m + 0.04);
 }
 
-// Where a heading is off, too: a faster stop is longer.
+// Where a heading is off, too: the faster, the longer is a stop.
 TEST(SafetyGovernor, GoesSlowerWhereStopsAreDeclaredToStrayWithSpeed) {
-  const VehicleState state = make_model(IdealConfig{})->at_rest({0, 0, 1}, {1, 0});
   const FreeSpace free = strip(-1, 4, kBodyRadius_m + 0.1);
-  const auto scale = [&](const DeclaredErrors& errors) {
+  const auto scale_at = [&](double speed_m_s, const DeclaredErrors& errors) {
+    VehicleState state = make_model(IdealConfig{})->at_rest({0, 0, 1}, {1, 0});
+    state.v_world.x() = speed_m_s;
     SafetyGovernor governor(DriveResponse{}, kBodyRadius_m, kClearance_m, 0.05,
                             SafetyGovernor::kEverywhere, errors);
     return governor.allow({.v_world = Vec2(1.5, 0)}, state, free, {}, KnownClearance::planned)
         .speed_scale;
   };
-  EXPECT_EQ(scale({}), 1);
-  EXPECT_LT(scale({.sensing = {.heading_rad = 0.6}}), 0.7);
-  EXPECT_GT(scale({.sensing = {.heading_rad = 0.6}}), 0);
-  EXPECT_LT(scale({.stop_per_speed_s = 0.1}), 0.7);
-  EXPECT_GT(scale({.stop_per_speed_s = 0.1}), 0);
+  EXPECT_EQ(scale_at(0, {}), 1);
+  EXPECT_LT(scale_at(0, {.stop_per_speed_s = 0.1}), 0.7);
+  EXPECT_GT(scale_at(0, {.stop_per_speed_s = 0.1}), 0);
+  EXPECT_EQ(scale_at(1.5, {}), 1);
+  EXPECT_LT(scale_at(1.5, {.sensing = {.heading_rad = 0.5}}), 1);
 }
 
 // Flies towards the end of what is known free for so many periods of the governor, then brakes.

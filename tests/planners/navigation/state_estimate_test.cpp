@@ -20,6 +20,15 @@ Command any_command(const Command& hold, Random& random) {
   return command;
 }
 
+StateEstimate estimate_of(const DeclaredErrors& errors, const Model& model) {
+  return StateEstimate(
+      errors,
+      [&model](const VehicleState& state, const Command& command) {
+        return model.step(state, command, kPeriod_s);
+      },
+      model.hold(), kPeriod_s);
+}
+
 // A drive in curves and the poses told of it. What lags changes its speeds evenly from step to
 // step, as dead reckoning takes them to.
 struct Drive {
@@ -44,7 +53,7 @@ struct Drive {
 TEST(StateEstimate, IsWhatIsToldWhereNothingIsDeclared) {
   Drive drive;
   Random random(1);
-  StateEstimate estimate({}, make_model(find_vehicle("jackal").model), kPeriod_s);
+  StateEstimate estimate = estimate_of({}, *drive.model);
   for (int i = 0; i < 50; ++i) {
     const VehicleState told = drive.told(0.1, 0.1, random);
     estimate.take(told);
@@ -63,8 +72,7 @@ TEST(StateEstimate, KnowsWhereEveryVehicleIsWhenACommandActs) {
     const auto model = make_model(spec.model);
     Random random(2);
     for (const int late_steps : {0, 1, 5}) {
-      StateEstimate estimate({.latency_s = late_steps * kPeriod_s}, make_model(spec.model),
-                             kPeriod_s);
+      StateEstimate estimate = estimate_of({.latency_s = late_steps * kPeriod_s}, *model);
       VehicleState state = model->at_rest({0, 0, 1}, {1, 0});
       std::deque<Command> under_way(static_cast<std::size_t>(late_steps), model->hold());
       std::deque<Vec3> predicted;
@@ -90,8 +98,7 @@ TEST(StateEstimate, LetsOfWhiteNoiseThroughWhatItsGainSays) {
   for (const double gain : {0.02, 0.1, 0.5}) {
     Drive drive;
     Random random(3);
-    StateEstimate estimate({.pose_gain = gain}, make_model(find_vehicle("jackal").model),
-                           kPeriod_s);
+    StateEstimate estimate = estimate_of({.pose_gain = gain}, *drive.model);
     double square_m2 = 0, square_rad2 = 0;
     int counted = 0;
     for (int i = 0; i < 20'000; ++i) {
