@@ -8,6 +8,7 @@ namespace voronaut {
 struct DeclaredErrors {
   SensingErrors sensing = {};
   double stop_per_speed_s = 0;
+  double planning_room_m = 0;
   double latency_s = 0;
   double pose_gain = 1;
 
@@ -20,6 +21,10 @@ struct DeclaredErrors {
     v.number("heading_rad", sensing.heading_rad, 0, 1, "So may its heading");
     v.number("stop_per_speed_s", stop_per_speed_s, 0, 1,
              "A stop may stray so much more, per speed, than the vehicle promises");
+    v.number(
+        "planning_room_m", planning_room_m, 0, 10,
+        "Planners keep so much more than planning_clearance_m, half of it where that leaves no "
+        "path, else nothing more");
     v.number("latency_s", latency_s, 0, 1,
              "Commands act so much later: state is predicted until then");
     v.number("pose_gain", pose_gain, 0.001, 1,

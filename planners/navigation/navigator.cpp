@@ -152,7 +152,7 @@ void Navigator::plan(const VehicleState& state, double now_s) {
   report_.replan = replan_policy_.reason(tracker_, problem_.geometry(), p, now_s);
   if (report_.replan == ReplanReason::none) return;
 
-  Plan plan = ask_for_plan(*planner_, planner_traits_, problem_, config_.budget);
+  Plan plan = ask_from(p);
   report_.solve_end = plan.end;
   report_.planner_mode = plan.mode;
   adopt(std::move(plan));
@@ -182,6 +182,22 @@ void Navigator::follow_trail(const Vec2& p_world) {
   }
   trail_.backtrack(p_world);
   if (tracker_.remaining_m() < BreadcrumbTrail::kSpacing_m) tracker_.drop();  // ask from here
+}
+
+// Down a ladder of clearances, as long as no path is found: what is off makes gaps look narrower,
+// and where there is room for it vehicles go faster. The path is then followed at the clearance at
+// which it was found.
+Plan Navigator::ask_from(const Vec2& start_world) {
+  for (const double share : {1.0, 0.5, 0.0}) {
+    const double room_m = share * config_.errors.planning_room_m;
+    if (config_.errors.planning_room_m > 0) {
+      problem_.keep(config_.vehicle.planning_clearance_m + room_m);
+      problem_.update(belief_, start_world);
+    }
+    Plan plan = ask_for_plan(*planner_, planner_traits_, problem_, config_.budget);
+    if (!plan.path.empty() || room_m == 0) return plan;
+  }
+  return {};
 }
 
 void Navigator::adopt(Plan plan) {

@@ -71,6 +71,7 @@ class Navigator {
   // planning: navigator.cpp
   bool depart(const VehicleState& state, double now_s);
   void follow_trail(const Vec2& p_world);
+  Plan ask_from(const Vec2& start_world);
   void adopt(Plan plan);
   void judge_infeasible();
   void retrace();

@@ -155,18 +155,21 @@ TEST(Disturbances, LetStopsStrayByNoMoreThanTheSuiteOfBarnDeclares) {
   EXPECT_GT(largest_s, 0.002) << "it need not be declared";
 }
 
-// Every trial of forests driven by a jackal, governed.
-std::vector<TrialSpec> drives(const std::string& rest) {
+constexpr const char* kForests = "{generator: {name: forest, density_per_m2: 0.2}}";
+
+// Every trial of twenty repetitions driven by a jackal, governed.
+std::vector<TrialSpec> drives(const std::string& rest, const std::string& scenario = kForests) {
   const PlannerCatalog planners = PlannerCatalog::built_in();
-  const SuiteConfig suite = read_suite(
-      ConfigNode::parse(
-          "suite: s\nseed: 3\nrepetitions: 20\nscenarios: [{generator: {name: forest, "
-          "density_per_m2: 0.2}}]\nvehicles: [{name: jackal, model: {drive_lag_s: 0.1}}]\n"
-          "planners: [VoronoiRoadmap]\nnavigation: {governor: true, yaw_policy: path, recovery: "
-          "true, look_around: true}\n" +
-              rest,
-          "s.yaml"),
-      "", planners);
+  const SuiteConfig suite =
+      read_suite(ConfigNode::parse(
+                     "suite: s\nseed: 3\nrepetitions: 20\nrepeat: random\nscenarios: [" + scenario +
+                         "]\nvehicles: [{name: jackal, params: {planning_clearance_m: 0.35}, "
+                         "model: {drive_lag_s: 0.1}}]\nplanners: [VoronoiRoadmap]\n"
+                         "navigation: {governor: true, yaw_policy: path, recovery: true, "
+                         "look_around: true}\n" +
+                         rest,
+                     "s.yaml"),
+                 "", planners);
   std::vector<TrialSpec> specs;
   SuiteTrials trials(suite);
   ShortestReferences references = ShortestReferences::exact();
@@ -197,6 +200,37 @@ TEST(Disturbances, DoNoHarmOnceTheyAreDeclared) {
                            "position_m: 0.015, heading_rad: 0.015, stop_per_speed_s: 0.02}\n"),
       0);
   EXPECT_GT(contacts(disturbed), 0) << "nothing is shown";
+}
+
+EpisodeLog drive_past(const std::string& circles, double planning_room_m) {
+  const std::vector<TrialSpec> specs =
+      drives("declared_errors: {planning_room_m: " + std::to_string(planning_room_m) + "}\n",
+             "{name: posts, start: [0, 0], goal: [6, 0], bounds: [[-2, -3], [8, 3]], world: "
+             "{circles: [" +
+                 circles + "]}}");
+  Flight flight(specs.front(), PlannerCatalog::built_in(), false);
+  return fly(flight);
+}
+
+double clearance_m(const EpisodeLog& log) {
+  double smallest_m = 10;
+  for (const Tick& tick : log.ticks) smallest_m = std::min(smallest_m, tick.clearance_m);
+  return smallest_m;
+}
+
+// Where there is room for it; else less, as long as there is a way at all.
+TEST(Disturbances, AreKeptMoreRoomForWherePlansHaveIt) {
+  const std::string post = "[3, 0.1, 0.4]";
+  EXPECT_LT(clearance_m(drive_past(post, 0)), 0.4);
+  EXPECT_GT(clearance_m(drive_past(post, 0.2)), 0.45);
+  // A wall of posts with one gap, 0.39 m to either side of its middle.
+  std::string wall = "[3, 0.59, 0.2], [3, -0.59, 0.2]";
+  for (const char* y : {"0.9", "1.2", "1.5", "1.8", "2.1", "2.4", "2.7", "3"})
+    wall += ", [3, " + std::string(y) + ", 0.2], [3, -" + y + ", 0.2]";
+  for (const double room_m : {0.0, 0.05, 0.2}) {
+    const EpisodeLog log = drive_past(wall, room_m);
+    EXPECT_EQ(log.verdict.outcome, Outcome::goal_reached) << room_m << ": " << log.verdict.reason;
+  }
 }
 
 TEST(Disturbances, NameATrialOnlyWhereThereAreAny) {
