@@ -114,14 +114,12 @@ std::string text_of(const RunComparison& comparison, const std::string& format) 
 ExitCode compare_published(const CompareOptions& options, const CommandContext& context) {
   if (options.folders.size() != 1 || !options.planners.empty())
     throw std::invalid_argument("compare: --published goes with one folder");
+  const BarnComparison comparison =
+      beside_published_file(OutputFolder::open(options.folders[0]), options.published);
   if (options.format == "json")
-    throw std::invalid_argument("--published: goes with --format text or md, not json");
-  const BarnComparison comparison = beside_published(
-      OutputFolder::open(options.folders[0]).store().records(), read_published(options.published));
-  if (comparison.differences.empty())
-    throw std::invalid_argument(options.folders[0] + ": no course of BARN that " +
-                                options.published + " has, too");
-  context.out << (options.format == "md" ? barn_markdown(comparison) : barn_text(comparison));
+    context.out << barn_json(comparison) << "\n";
+  else
+    context.out << (options.format == "md" ? barn_markdown(comparison) : barn_text(comparison));
   return ExitCode::success;
 }
 

@@ -91,10 +91,11 @@ struct DigestOptions {
 };
 
 struct ReportOptions {
-  std::string folder;   // or a file: what voronaut-micro printed as JSON
-  std::string data;     // recorded lidar for it
-  std::string out;      // empty: report.html in the folder; md and csv: the terminal
-  std::string compare;  // another folder of results; empty: none
+  std::string folder;     // or a file: what voronaut-micro printed as JSON
+  std::string data;       // recorded lidar for it
+  std::string out;        // empty: report.html in the folder; md and csv: the terminal
+  std::string compare;    // another folder of results; empty: none
+  std::string published;  // a file of what others published; empty: none
   std::string format = "html";
 };
 

@@ -26,6 +26,8 @@ void Commands::add_report(CLI::App& app) {
   report_command->add_option("-o,--output", report.out,
                              "File [html: report.html in DIR; else the terminal]");
   report_command->add_option("--compare", report.compare, "Another folder of results, before DIR");
+  report_command->add_option("--published", report.published,
+                             "CSV of what others published of BARN's courses (docs/barn.md)");
   report_command->add_option("--format", report.format, "html, md or csv [html]")
       ->check(CLI::IsMember({"html", "md", "csv"}));
 }

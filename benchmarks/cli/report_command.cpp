@@ -1,10 +1,12 @@
 #include <filesystem>
 #include <ostream>
 #include <stdexcept>
+#include <utility>
 
 #include "voronaut/benchmarks/cli/commands.h"
 #include "voronaut/benchmarks/results/mapped_logs.h"
 #include "voronaut/benchmarks/results/output_folder.h"
+#include "voronaut/benchmarks/results/published_file.h"
 #include "voronaut/environments/config/config_node.h"
 #include "voronaut/environments/scenario/scenario_spec.h"
 #include "voronaut/reports/page/html_report.h"
@@ -18,9 +20,10 @@ namespace voronaut {
 
 namespace {
 
-std::string markdown(const OutputFolder& folder, const std::optional<RunComparison>& comparison) {
+std::string markdown(const OutputFolder& folder, const ReportBeside& beside) {
   std::string text = summary_markdown(folder.summary());
-  if (comparison) text += "\n" + comparison_markdown(*comparison);
+  if (beside.comparison) text += "\n" + comparison_markdown(*beside.comparison);
+  if (beside.published) text += "\n" + barn_markdown(*beside.published);
   return text;
 }
 
@@ -46,7 +49,7 @@ std::string page_of_benchmarks(const std::string& file, Make&& make) {
 
 // What voronaut-micro printed as JSON, with the recorded lidar that is at hand.
 ExitCode report_mapping(const ReportOptions& options, const CommandContext& context) {
-  if (options.format != "html" || !options.compare.empty())
+  if (options.format != "html" || !options.compare.empty() || !options.published.empty())
     throw std::invalid_argument(options.folder + ": of microbenchmarks only html is written");
   const std::string data = DataLocation::find(options.data).folder;
   const std::filesystem::path page =
@@ -74,11 +77,16 @@ std::string mapping_beside(const OutputFolder& folder, const ReportOptions& opti
 ExitCode execute(const ReportOptions& options, const CommandContext& context) {
   if (std::filesystem::is_regular_file(options.folder)) return report_mapping(options, context);
   const OutputFolder folder = OutputFolder::open(options.folder);
-  if (options.format == "csv" && !options.compare.empty())
-    throw std::invalid_argument("--compare: goes with --format html or md, not csv");
-  std::optional<RunComparison> comparison;
+  for (const auto& [option, value] :
+       {std::pair("--compare", options.compare), std::pair("--published", options.published)}) {
+    if (options.format == "csv" && !value.empty())
+      throw std::invalid_argument(std::string(option) + ": goes with --format html or md, not csv");
+  }
+  ReportBeside beside;
   if (!options.compare.empty())
-    comparison = folder.compare_with(OutputFolder::open(options.compare));
+    beside.comparison = folder.compare_with(OutputFolder::open(options.compare));
+  if (!options.published.empty())
+    beside.published = beside_published_file(folder, options.published);
   if (options.format == "csv") {
     if (options.out.empty()) {
       write_csv_of(folder.store(), context.out);
@@ -88,12 +96,13 @@ ExitCode execute(const ReportOptions& options, const CommandContext& context) {
       context.out << options.out << "\n";
     }
   } else if (options.format == "md") {
-    write(options, context, markdown(folder, comparison));
+    write(options, context, markdown(folder, beside));
   } else {
     const std::filesystem::path file =
         options.out.empty() ? folder.file("report.html") : std::filesystem::path(options.out);
     if (options.out.empty()) folder.write_csv();
-    folder.write_report(file, std::move(comparison), mapping_beside(folder, options));
+    beside.mapping_json = mapping_beside(folder, options);
+    folder.write_report(file, std::move(beside));
     context.out << file.string() << "\n";
   }
   return ExitCode::success;

@@ -29,6 +29,10 @@ VehicleFacts vehicle_facts(const TrialSpec& spec) {
   return facts;
 }
 
+Pose2 pose_of(const VehicleState& state) {
+  return {state.p_world.head<2>(), state.heading_world()};
+}
+
 }  // namespace
 
 NavigatorConfig navigator_config(const TrialSpec& spec) {
@@ -49,6 +53,7 @@ NavigatorConfig navigator_config(const TrialSpec& spec) {
   config.budget = spec.flight.budget;
   config.mapping = spec.flight.mapping;
   config.navigation = spec.flight.navigation;
+  config.errors = spec.flight.declared_errors;
   return config;
 }
 
@@ -57,6 +62,14 @@ Flight::Flight(const TrialSpec& trial, const PlannerCatalog& planners, bool keep
       ticks_per_scan(ticks_per_scan_of(trial)),
       model(make_model(trial.vehicle.model)),
       regulator(make_regulator(trial.regulator, trial.vehicle, trial.flight.loop.vehicle_period_s)),
+      disturbances(trial.flight.disturbances, model->hold(), trial.flight.loop.vehicle_period_s,
+                   derive_seed(trial.planner_seed, {"disturbances"}, 0)),
+      estimate(
+          trial.flight.declared_errors,
+          [this](const VehicleState& state, const Command& command) {
+            return model->step(state, command, spec.flight.loop.vehicle_period_s);
+          },
+          model->hold(), trial.flight.loop.vehicle_period_s),
       range_finder(trial.flight.range_finder),
       sensor_noise(derive_seed(trial.planner_seed, {"range finder"}, 0)),
       navigator(navigator_config(trial), planners),
@@ -70,9 +83,9 @@ VehicleState Flight::at_start() const {
   return model->at_rest(Vec3(p.x(), p.y(), scenario.start_height_m), scenario.start_heading);
 }
 
-const Scan& Flight::sense(const VehicleState& state, double now_s) {
-  const Pose2 pose{state.p_world.head<2>(), state.heading_world()};
-  range_finder.sense(*spec.scenario.world, pose, now_s, sensor_noise, scan);
+const Scan& Flight::sense(const VehicleState& state, const VehicleState& believed, double now_s) {
+  range_finder.sense(*spec.scenario.world, pose_of(state), now_s, sensor_noise, scan);
+  scan.sensor_world = pose_of(believed);
   return scan;
 }
 

@@ -2,6 +2,7 @@
 
 #include <memory>
 
+#include "voronaut/benchmarks/episode/disturbances.h"
 #include "voronaut/benchmarks/episode/recorder.h"
 #include "voronaut/benchmarks/episode/referee.h"
 #include "voronaut/benchmarks/trial/trial.h"
@@ -9,6 +10,7 @@
 #include "voronaut/dynamics/regulator.h"
 #include "voronaut/environments/random.h"
 #include "voronaut/planners/navigation/navigator.h"
+#include "voronaut/planners/navigation/state_estimate.h"
 
 namespace voronaut {
 
@@ -21,13 +23,16 @@ struct Flight {
 
   VehicleState at_start() const;
   bool scan_is_due(std::size_t tick) const { return tick % ticks_per_scan == 0; }
-  // What the range finder sees from there; valid until the next call.
-  const Scan& sense(const VehicleState& state, double now_s);
+  // What the range finder sees from there, as a scan from where the vehicle believes to be; valid
+  // until the next call.
+  const Scan& sense(const VehicleState& state, const VehicleState& believed, double now_s);
 
   const TrialSpec& spec;
   const std::size_t ticks_per_scan;
   std::unique_ptr<Model> model;
   std::unique_ptr<Regulator> regulator;
+  Disturbances disturbances;
+  StateEstimate estimate;
   RangeFinder range_finder;
   Random sensor_noise;
   Scan scan;

@@ -129,7 +129,7 @@ class ClosedLoopWork : public CountedWork {
   }
   std::size_t run() override {
     const double now_s = kPeriod_s * static_cast<double>(tick_++);
-    const Scan& scan = flight_.sense(state_, now_s);
+    const Scan& scan = flight_.sense(state_, state_, now_s);
     const Setpoint setpoint = flight_.navigator.update(scan, state_, now_s);
     const Command command = flight_.regulator->regulate(setpoint, state_);
     state_ = flight_.model->step(state_, applied_, kPeriod_s);

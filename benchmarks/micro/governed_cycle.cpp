@@ -57,7 +57,7 @@ class GovernedFlight {
         steer();
         continue;
       }
-      flight_.navigator.map(flight_.sense(state_, now_s()));
+      flight_.navigator.map(flight_.sense(state_, state_, now_s()));
       flight_.navigator.plan(state_, now_s());
     }
     return true;

@@ -229,8 +229,7 @@ void OutputFolder::write_csv() const {
   write_file_atomically(file("results.csv"), [&](std::ostream& out) { write_csv_of(store_, out); });
 }
 
-void OutputFolder::write_report(const fs::path& file, std::optional<RunComparison> comparison,
-                                const std::string& mapping_json) const {
+void OutputFolder::write_report(const fs::path& file, ReportBeside beside) const {
   std::string suite = "empty";
   store_.for_each_record([&](const RunRecord& first) { suite = first.suite; }, "trial_id LIMIT 1");
   std::string manifest = text_of(this->file("manifest.json"));
@@ -243,8 +242,9 @@ void OutputFolder::write_report(const fs::path& file, std::optional<RunCompariso
   }
   ReportInput input = read_report_input(store_, suite, std::move(manifest));
   input.folder = folder_.string();
-  input.comparison = std::move(comparison);
-  input.mapping_json = mapping_json;
+  input.comparison = std::move(beside.comparison);
+  input.published = std::move(beside.published);
+  input.mapping_json = std::move(beside.mapping_json);
   write_html_report(input, file);
 }
 

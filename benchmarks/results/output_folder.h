@@ -10,8 +10,16 @@
 #include "voronaut/benchmarks/results/manifest.h"
 #include "voronaut/reports/store/store.h"
 #include "voronaut/reports/summary/comparison.h"
+#include "voronaut/reports/summary/published_results.h"
 
 namespace voronaut {
+
+// What a report shows beside the run itself.
+struct ReportBeside {
+  std::optional<RunComparison> comparison;  // against another run
+  std::optional<BarnComparison> published;  // beside what others published
+  std::string mapping_json;                 // mapping_data_json(); empty: none
+};
 
 // A folder of results: results.db, results.csv, report.html, manifest.json. The database holds
 // copies of the scenario and world files too, so the folder is whole without them.
@@ -57,9 +65,8 @@ class OutputFolder {
   void write_manifest(const std::string& json) const;
   void write_csv() const;
   // The HTML report, by default as report.html in the folder.
-  void write_report() const { write_report(file("report.html"), {}, {}); }
-  void write_report(const std::filesystem::path& file, std::optional<RunComparison> comparison,
-                    const std::string& mapping_json) const;
+  void write_report() const { write_report(file("report.html"), {}); }
+  void write_report(const std::filesystem::path& file, ReportBeside beside) const;
   // What this run says against another one.
   RunComparison compare_with(const OutputFolder& before, const ComparisonConfig& config = {}) const;
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <stdexcept>
 
 #include "voronaut/environments/formats/csv_table.h"
 
@@ -47,6 +48,14 @@ std::vector<PublishedMethod> read_published(const std::string& file) {
     method->worlds.push_back(std::move(world));
   }
   return methods;
+}
+
+BarnComparison beside_published_file(const OutputFolder& folder, const std::string& file) {
+  BarnComparison comparison = beside_published(folder.store().records(), read_published(file));
+  if (comparison.differences.empty())
+    throw std::invalid_argument(folder.path().string() + ": no course of BARN that " + file +
+                                " has, too");
+  return comparison;
 }
 
 }  // namespace voronaut

@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "voronaut/benchmarks/results/output_folder.h"
 #include "voronaut/reports/summary/published_results.h"
 
 namespace voronaut {
@@ -11,5 +12,8 @@ namespace voronaut {
 // successes, collisions, score (mean over the runs) and mean_time_success_s (empty where none
 // arrived). Throws ConfigError with file, line and column.
 std::vector<PublishedMethod> read_published(const std::string& file);
+
+// The folder's trials beside them. Throws std::invalid_argument if no world is in both.
+BarnComparison beside_published_file(const OutputFolder& folder, const std::string& file);
 
 }  // namespace voronaut

@@ -22,6 +22,19 @@ std::string section(const std::string& name, const std::variant<Configs...>& con
   return std::visit([&](const auto& chosen) { return section(name, chosen); }, config);
 }
 
+// Disturbances and what is declared of them name a trial only where there are any: those of suites
+// without them keep their ids.
+ConfigEntries flight_entries(const FlightConfig& flight) {
+  ConfigEntries entries = config_entries(flight);
+  const auto leave_out = [&](std::string_view name, const auto& now, const auto& by_default) {
+    if (canonical_text(now) != canonical_text(by_default)) return;
+    std::erase_if(entries, [&](const auto& entry) { return entry.first.starts_with(name); });
+  };
+  leave_out("disturbances.", flight.disturbances, DisturbanceConfig{});
+  leave_out("declared_errors.", flight.declared_errors, DeclaredErrors{});
+  return entries;
+}
+
 ConfigEntries task_entries(const TrialSpec& spec) {
   const Scenario& scenario = spec.scenario;
   ConfigEntries entries = {{"suite", spec.suite},
@@ -70,7 +83,7 @@ std::string canonical_trial(const TrialSpec& spec) {
   return "trial: " + canonical_text(task_entries(spec)) + "\n" +
          "params: " + canonical_text(params) + "\n" + section("vehicle", spec.vehicle) +
          section("model", spec.vehicle.model) + section("regulator", spec.regulator) +
-         section("flight", spec.flight);
+         section("flight", flight_entries(spec.flight));
 }
 
 std::string trial_id(const TrialSpec& spec) { return sha256_hex(canonical_trial(spec)); }

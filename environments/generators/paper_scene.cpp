@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <numbers>
+#include <vector>
 
 #include "voronaut/environments/generators/placement.h"
 
@@ -16,21 +17,35 @@ GeneratedWorld straight_way(double distance_m, double reach_m) {
   return world;
 }
 
+// Circles of a cluster may lie so much farther out.
+Bounds grown(const Bounds& bounds, double by_m) {
+  return {bounds.min - Vec2::Constant(by_m), bounds.max + Vec2::Constant(by_m)};
+}
+
 }  // namespace
 
 WorldDraw draw_world(const PaperSceneConfig& config, Random& random) {
   GeneratedWorld world =
       straight_way(config.distance_m, config.spread_m + config.radius_large_m + config.margin_m);
+  if (config.clusters > 0) world.bounds = grown(world.bounds, config.cluster_radius_m);
   const Bounds about_the_line{{0, -config.spread_m}, {config.distance_m, config.spread_m}};
   CirclePlacer placer(world.shapes.circles, config.gap_min_m);
   placer.keep_clear(world.start, config.end_clearance_m);
   placer.keep_clear(world.goal, config.end_clearance_m);
+  std::vector<Bounds> areas;
+  for (int i = 0; i < config.clusters; ++i) {
+    const Vec2 place = point_in(about_the_line, random);
+    const Vec2 half = Vec2::Constant(config.cluster_radius_m);
+    areas.push_back({place - half, place + half});
+  }
+  if (areas.empty()) areas.push_back(about_the_line);
   const int more = config.circles_max - config.circles_min;
   const int circles =
       config.circles_min + static_cast<int>(random.below(static_cast<std::uint64_t>(more) + 1));
   for (int i = 0; i < circles; ++i) {
     const double radius_m = random.below(2) == 0 ? config.radius_small_m : config.radius_large_m;
-    if (!placer.place([&] { return Circle{point_in(about_the_line, random), radius_m}; }))
+    const Bounds& area = areas[static_cast<std::size_t>(i) % areas.size()];
+    if (!placer.place([&] { return Circle{point_in(area, random), radius_m}; }))
       return std::nullopt;
   }
   return turned(world, unit_vector(config.bearing_rad));

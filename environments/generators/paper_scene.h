@@ -17,6 +17,8 @@ struct PaperSceneConfig {
   double radius_large_m = 1;
   double gap_min_m = 1.2;
   double spread_m = 2.5;
+  int clusters = 0;
+  double cluster_radius_m = 3;
   double end_clearance_m = 1;
   double margin_m = 4;
 
@@ -30,6 +32,10 @@ struct PaperSceneConfig {
     v.number("radius_large_m", radius_large_m, 0.01, 5, "The other one");
     v.number("gap_min_m", gap_min_m, 0, 10, "Between any two surfaces");
     v.number("spread_m", spread_m, 0.1, 20, "Of the centres to both sides of the line");
+    v.count("clusters", clusters, 0, 100,
+            "Circles gather about so many places, in turn; 0: anywhere along the line");
+    v.number("cluster_radius_m", cluster_radius_m, 0.1, 20,
+             "Of their centres from such a place, along either axis");
     v.number("end_clearance_m", end_clearance_m, 0.1, 5, "Of start and goal from any surface");
     v.number("margin_m", margin_m, 1, 20, "Of the bounds from the scene");
   }

@@ -50,7 +50,7 @@ std::optional<SafetyGovernor> governor_of(const NavigatorConfig& config) {
         "a governor needs a motion response of the kind of the vehicle's steering");
   return SafetyGovernor(*vehicle.motion_response, vehicle.body_radius_m,
                         vehicle.planning_clearance_m, config.range_finder.period_s,
-                        config.mission.bounds_world);
+                        config.mission.bounds_world, config.errors);
 }
 
 // How far a vehicle's course swings from its path towards a wall, at a corner or braking, in the
@@ -105,6 +105,7 @@ Navigator::Navigator(const NavigatorConfig& config, const PlannerCatalog& planne
     : config_(config),
       map_(config.mapping),
       free_space_(reachable_bounds(config), {.cell_m = cell_m(config)}),
+      doubted_(config.errors.sensing, config.vehicle.body_radius_m),
       problem_(problem_config(config)),
       planner_traits_(planner_entry(config, planners).traits),
       planner_(make_planner(config, planners, problem_)),
@@ -130,7 +131,7 @@ void Navigator::map(const Scan& scan) {
   const StageNotice notice(observer_, NavigationObserver::Stage::mapping);
   scan_ = scan;
   map_.update(scan_);
-  if (governor_) free_space_.update(scan_);
+  if (governor_) free_space_.update(config_.errors.sensing.none() ? scan_ : doubted_.of(scan_));
   belief_ = {virtual_obstacles_.over(map_.snapshot()), &scan_, map_.scan_clusters(),
              scan_.sensor_world};
   scan_is_new_ = true;
@@ -151,7 +152,7 @@ void Navigator::plan(const VehicleState& state, double now_s) {
   report_.replan = replan_policy_.reason(tracker_, problem_.geometry(), p, now_s);
   if (report_.replan == ReplanReason::none) return;
 
-  Plan plan = ask_for_plan(*planner_, planner_traits_, problem_, config_.budget);
+  Plan plan = ask_from(p);
   report_.solve_end = plan.end;
   report_.planner_mode = plan.mode;
   adopt(std::move(plan));
@@ -181,6 +182,22 @@ void Navigator::follow_trail(const Vec2& p_world) {
   }
   trail_.backtrack(p_world);
   if (tracker_.remaining_m() < BreadcrumbTrail::kSpacing_m) tracker_.drop();  // ask from here
+}
+
+// Down a ladder of clearances, as long as no path is found: what is off makes gaps look narrower,
+// and where there is room for it vehicles go faster. The path is then followed at the clearance at
+// which it was found.
+Plan Navigator::ask_from(const Vec2& start_world) {
+  for (const double share : {1.0, 0.5, 0.0}) {
+    const double room_m = share * config_.errors.planning_room_m;
+    if (config_.errors.planning_room_m > 0) {
+      problem_.keep(config_.vehicle.planning_clearance_m + room_m);
+      problem_.update(belief_, start_world);
+    }
+    Plan plan = ask_for_plan(*planner_, planner_traits_, problem_, config_.budget);
+    if (!plan.path.empty() || room_m == 0) return plan;
+  }
+  return {};
 }
 
 void Navigator::adopt(Plan plan) {

@@ -7,6 +7,7 @@
 #include <ompl/base/Planner.h>
 
 #include "voronaut/planners/catalog/catalog.h"
+#include "voronaut/planners/mapping/free_space/doubted_scan.h"
 #include "voronaut/planners/mapping/free_space/free_space.h"
 #include "voronaut/planners/mapping/obstacle_base.h"
 #include "voronaut/planners/mapping/virtual_obstacles.h"
@@ -70,6 +71,7 @@ class Navigator {
   // planning: navigator.cpp
   bool depart(const VehicleState& state, double now_s);
   void follow_trail(const Vec2& p_world);
+  Plan ask_from(const Vec2& start_world);
   void adopt(Plan plan);
   void judge_infeasible();
   void retrace();
@@ -100,7 +102,8 @@ class Navigator {
   const NavigatorConfig config_;
   Scan scan_;
   ObstacleBase map_;
-  FreeSpace free_space_;                // kept up to date for the governor only
+  FreeSpace free_space_;  // kept up to date for the governor only
+  DoubtedScan doubted_;
   VirtualObstacles virtual_obstacles_;  // what planners see beside the map
   Belief belief_;
   PlanningProblem problem_;

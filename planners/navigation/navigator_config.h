@@ -10,6 +10,7 @@
 #include "voronaut/dynamics/speed_profile.h"
 #include "voronaut/environments/shapes/geometry.h"
 #include "voronaut/planners/mapping/obstacle_base.h"
+#include "voronaut/planners/navigation/declared_errors.h"
 #include "voronaut/planners/navigation/navigation_config.h"
 #include "voronaut/planners/problem/planning_budget.h"
 
@@ -69,6 +70,7 @@ struct NavigatorConfig {
   PlanningBudget budget;
   ObstacleBaseConfig mapping;
   NavigationConfig navigation;
+  DeclaredErrors errors;  // of pose and latency: what StateEstimate makes of them
 };
 
 }  // namespace voronaut

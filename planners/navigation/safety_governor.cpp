@@ -20,14 +20,16 @@ const Bounds SafetyGovernor::kEverywhere{Vec2::Constant(-std::numeric_limits<dou
 
 SafetyGovernor::SafetyGovernor(const MotionResponse& response, double body_radius_m,
                                double planning_clearance_m, double hold_s,
-                               const Bounds& centre_bounds_world)
+                               const Bounds& centre_bounds_world, const DeclaredErrors& errors)
     : ladder_(ladder_of(response)),
       tube_(body_radius_m, centre_bounds_world),
+      errors_(errors),
       keep_from_known_m_(planning_clearance_m - kKnownMargin_m),
       hold_s_(hold_s) {}
 
 double SafetyGovernor::room_to_bounds_m(const VehicleState& state) const {
-  return ladder_->stray_m(state) + StopTube::kStraight_m;
+  return ladder_->stray_m(state) + StopTube::kStraight_m + errors_.sensing.position_m +
+         errors_.stop_per_speed_s * state.v_world.head<2>().norm();
 }
 
 const GovernedMotion& SafetyGovernor::allow(const WantedMotion& wanted, const VehicleState& state,
@@ -56,6 +58,19 @@ const GovernedMotion& SafetyGovernor::allow(const WantedMotion& wanted, const Ve
   return allowed_;
 }
 
+// The stop that this level leads to, its track into corners_. It begins where the vehicle is told
+// to be, and leads where it is told to look.
+PredictedStop SafetyGovernor::predict(std::size_t level) {
+  PredictedStop stop = ladder_->predict(level, hold_s_, kSample_s, track_);
+  StopTube::straighten(track_, corners_);
+  double way_m = 0;
+  for (std::size_t i = 0; i + 1 < corners_.size(); ++i)
+    way_m += (corners_[i + 1] - corners_[i]).norm();
+  stop.stray_m += errors_.sensing.position_m + errors_.sensing.heading_rad * way_m +
+                  errors_.stop_per_speed_s * stop.fastest_m_s;
+  return stop;
+}
+
 // A slower command sweeps less, so levels are safe up to one of them. That is most often the level
 // of the call before or next to it: looked for there first, then by bisection.
 std::size_t SafetyGovernor::safe_level(const FreeSpace& free, const ObstacleSnapshot& known,
@@ -65,8 +80,7 @@ std::size_t SafetyGovernor::safe_level(const FreeSpace& free, const ObstacleSnap
   std::size_t level = std::min(level_ + 1, top);
   bool near = true;
   while (unsafe - safe > 1) {
-    const PredictedStop stop = ladder_->predict(level, hold_s_, kSample_s, track_);
-    StopTube::straighten(track_, corners_);
+    const PredictedStop stop = predict(level);
     if (tube_.is_safe(stop, corners_, free, known, keep_m)) {
       safe = level;
       safe_stop_ = stop;

@@ -8,6 +8,7 @@
 #include "voronaut/planners/mapping/free_space/free_space.h"
 #include "voronaut/planners/mapping/obstacle_snapshot.h"
 #include "voronaut/planners/navigation/command_ladder.h"
+#include "voronaut/planners/navigation/declared_errors.h"
 #include "voronaut/planners/navigation/stop_tube.h"
 
 namespace voronaut {
@@ -38,8 +39,10 @@ struct GovernedMotion {
 // holds at rest in free space, and each command allowed or braked keeps it, for then the rest of a
 // track proved before is driven. So the vehicle never touches anything, if
 //  - the world stands still,
-//  - pose and ranges are exact (an error belongs into the body's radius),
-//  - the vehicle brakes as `response` says, within its error_m, and holds each command for hold_s,
+//  - pose and ranges are as exact as declared (declared_errors.h; what they may be off is kept from
+//    what FreeSpace takes for free, by DoubtedScan, and added to the tube),
+//  - the vehicle brakes as `response` says, within its error_m and what is declared beside it, and
+//    holds each command for hold_s,
 //  - it starts at rest in free space,
 //  - nothing is thinner than the beams' spacing at the range where they pass it, and what stands
 //    there crosses the range finder's plane: tilting does not turn that plane (a levelled sensor).
@@ -63,7 +66,8 @@ class SafetyGovernor {
 
   // `centre_bounds_world`: where the centre may be.
   SafetyGovernor(const MotionResponse& response, double body_radius_m, double planning_clearance_m,
-                 double hold_s, const Bounds& centre_bounds_world = kEverywhere);
+                 double hold_s, const Bounds& centre_bounds_world = kEverywhere,
+                 const DeclaredErrors& errors = {});
 
   // What a track at the present speed keeps from the bounds.
   double room_to_bounds_m(const VehicleState& state) const;
@@ -78,8 +82,11 @@ class SafetyGovernor {
  private:
   std::size_t safe_level(const FreeSpace& free, const ObstacleSnapshot& known, double keep_m);
 
+  PredictedStop predict(std::size_t level);
+
   std::unique_ptr<CommandLadder> ladder_;
   StopTube tube_;
+  DeclaredErrors errors_;
   double keep_from_known_m_;
   double hold_s_;
   GovernedMotion allowed_;

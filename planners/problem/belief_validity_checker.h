@@ -30,6 +30,9 @@ class BeliefValidityChecker : public ompl::base::StateValidityChecker, public Kn
   // The same for a static problem: no vehicle is under way, belief() is null.
   void look_at(const ObstacleSnapshot& obstacles, const Vec2& start_world);
 
+  // From the next look_at() on.
+  void keep(double planning_clearance_m) { planning_clearance_m_ = planning_clearance_m; }
+
   bool isValid(const ompl::base::State* state) const override;
   // Distance to the closest known point [m]; the diagonal of the bounds if there is none nearer.
   double clearance(const ompl::base::State* state) const override;

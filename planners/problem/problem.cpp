@@ -66,6 +66,11 @@ void PlanningProblem::update(const ObstacleSnapshot& obstacles, const Vec2& star
   pose_problem(start_world);
 }
 
+void PlanningProblem::keep(double planning_clearance_m) {
+  config_.planning_clearance_m = planning_clearance_m;
+  checker_->keep(planning_clearance_m);
+}
+
 void PlanningProblem::pose_problem(const Vec2& start_world) {
   definition_->clearSolutionPaths();
   definition_->clearStartStates();

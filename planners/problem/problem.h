@@ -45,6 +45,9 @@ class PlanningProblem {
   // The same for a static problem: nobody is under way, planners see the whole of it at once.
   void update(const ObstacleSnapshot& obstacles, const Vec2& start_world);
 
+  // Another clearance, from the next update() on.
+  void keep(double planning_clearance_m);
+
   // False if no place within the goal's tolerance keeps the clearance: a proof that there is no
   // path.
   bool goal_has_place() const { return goal_has_place_; }

@@ -10,6 +10,7 @@
 #include "voronaut/reports/run_record.h"
 #include "voronaut/reports/store/store.h"
 #include "voronaut/reports/summary/comparison.h"
+#include "voronaut/reports/summary/published_results.h"
 #include "voronaut/reports/summary/summary.h"
 #include "voronaut/reports/trace/trace.h"
 
@@ -32,6 +33,7 @@ struct ReportInput {
   std::size_t stored_traces = 0;                   // how many there were to choose from
   std::string folder = {};  // where the run lies, for the command that repeats a trial
   std::optional<RunComparison> comparison = {};  // against another run
+  std::optional<BarnComparison> published = {};  // beside what others published
   std::string mapping_json = {};  // mapping_data_json() of microbenchmarks beside it; empty: none
 };
 

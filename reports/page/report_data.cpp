@@ -119,6 +119,7 @@ std::string report_data_json(const ReportInput& input) {
   out["folder"] = input.folder.empty() ? "DIR" : input.folder;
   out["comparison"] =
       input.comparison ? json::parse(comparison_json(*input.comparison)) : json(nullptr);
+  out["published"] = input.published ? json::parse(barn_json(*input.published)) : json(nullptr);
   out["mapping"] = input.mapping_json.empty() ? json(nullptr) : json::parse(input.mapping_json);
   return json_text(out);
 }

@@ -10,7 +10,7 @@ namespace voronaut {
 // What the page reads from its <script type="application/json">:
 //   {"title", "manifest", "outcomes":[...], "summary":{...}, "trials":{column: numbers | texts},
 //    "worlds":[...], "traces":{trial_id: base64}, "stored_traces", "stored_trials",
-//    "folder", "comparison": {...} or null}
+//    "folder", "comparison": {...} or null, "published": {...} or null}
 // A column of texts is {"texts":[distinct], "index":[...]}, one of numbers is a plain array,
 // rounded to seven digits, null where absent. state_digest is left out: 64 characters a row nobody
 // reads.

@@ -57,5 +57,9 @@ BarnComparison beside_published(const std::vector<RunRecord>& records,
 
 std::string barn_text(const BarnComparison& comparison);
 std::string barn_markdown(const BarnComparison& comparison);
+// {"worlds", "standings": [{name, vehicle, worlds, reached, collided, score, time_s}],
+// "differences": [{planner, vehicle, method, worlds, score, p, p_holm}]}; an estimate is {"value",
+// "interval": [low, high], "n"}, of a share with "successes", null where absent.
+std::string barn_json(const BarnComparison& comparison);
 
 }  // namespace voronaut

@@ -2,6 +2,7 @@
 
 #include "voronaut/reports/encoding/json_text.h"
 #include "voronaut/reports/summary/comparison_text.h"
+#include "voronaut/reports/summary/published_results.h"
 #include "voronaut/reports/summary/summary_text.h"
 
 namespace voronaut {
@@ -169,6 +170,28 @@ std::string summary_json(const Summary& summary, const std::vector<AxisColumn>& 
     out["pairings"].push_back(pairing_to_json(p));
   }
   return json_text(out);
+}
+
+std::string barn_json(const BarnComparison& comparison) {
+  json standings = json::array(), differences = json::array();
+  for (const BarnStanding& one : comparison.standings)
+    standings.push_back({{"name", one.name},
+                         {"vehicle", one.vehicle},
+                         {"worlds", one.worlds},
+                         {"reached", rate_json(one.reached)},
+                         {"collided", rate_json(one.collided)},
+                         {"score", estimate(one.score)},
+                         {"time_s", estimate(one.time_s)}});
+  for (const BarnDifference& one : comparison.differences)
+    differences.push_back({{"planner", one.planner},
+                           {"vehicle", one.vehicle},
+                           {"method", one.method},
+                           {"worlds", one.worlds},
+                           {"score", estimate(one.score)},
+                           {"p", number(one.p)},
+                           {"p_holm", number(one.p_holm)}});
+  return json_text(
+      {{"worlds", comparison.worlds}, {"standings", standings}, {"differences", differences}});
 }
 
 }  // namespace voronaut

@@ -1,5 +1,5 @@
 import { comparisonSection } from "./pages/comparison";
-import { MappingData, readReport, Report } from "./data/data";
+import { MappingData, Published, readReport, Report } from "./data/data";
 import { distributions } from "./pages/distributions";
 import { el, percent } from "./elements/dom";
 import { failuresSection } from "./pages/failures";
@@ -11,6 +11,7 @@ import { failed } from "./data/outcomes";
 import { overview } from "./pages/overview";
 import { Palette } from "./elements/palette";
 import { manifestEntries, provenanceSection } from "./pages/provenance";
+import { publishedSection } from "./pages/published";
 import { Replay } from "./replay/replay";
 import type { Filter } from "./data/sample";
 import { scenesSection } from "./pages/scenes";
@@ -67,6 +68,8 @@ function pagesOf(report: Report, palette: Palette, replay: Replay): Page[] {
       draw: (f) => failuresSection(report, palette, f) },
     report.comparison !== null && { id: "comparison", title: "Against another run", nav: "Comparison",
       draw: (f) => comparisonSection(report, palette, f) },
+    report.published !== null && { id: "published", title: "Beside published results", nav: "Published",
+      draw: (f) => publishedSection(report.published as Published, palette, f) },
     report.mapping !== null && { id: "mapping", title: "The mapping step", nav: "Mapping",
       draw: () => mappingSection(report.mapping as MappingData) },
     { id: "provenance", title: "Where this comes from", nav: "Provenance",

@@ -104,6 +104,34 @@ export interface Comparison {
   outcomes: OutcomeChange[];  // of very many those of the lowest repetitions
 }
 
+// A row of ours, or what somebody published (no vehicle), over the worlds that all have met.
+export interface Standing {
+  name: string;
+  vehicle: string;
+  worlds: number;
+  reached: Rate;   // over runs
+  collided: Rate;
+  score: Estimate; // over the worlds' means, as the time
+  time_s: Estimate;
+}
+
+// Of our mean score less theirs, paired by world.
+export interface Difference {
+  planner: string;
+  vehicle: string;
+  method: string;
+  worlds: number;
+  score: Estimate;
+  p: number | null;
+  p_holm: number | null;  // corrected over all differences
+}
+
+export interface Published {
+  worlds: number;
+  standings: Standing[];
+  differences: Difference[];
+}
+
 export interface World {
   world_id: string;
   bounds: [number, number, number, number];
@@ -160,6 +188,7 @@ interface Payload {
   stored_trials: number;
   folder: string;  // as it was named on the command line
   comparison: Comparison | null;
+  published: Published | null;
   mapping: MappingData | null;
 }
 

@@ -264,7 +264,8 @@ TEST_F(CommandLine, RunsASuiteAndAnswersQuestionsAboutIt) {
   EXPECT_THAT(text_of(path("r.md")),
               HasSubstr("0 of 2 trials flew differently, 0 end differently"));
   for (const char* wrong : {"report r --format pdf", "report r --compare nowhere",
-                            "report r --format csv --compare r"}) {
+                            "report r --format csv --compare r", "report r --published nowhere",
+                            "report r --format csv --published r"}) {
     const Answer refused = voronaut(wrong);
     EXPECT_EQ(refused.exit_code, 2) << wrong;
     EXPECT_EQ(std::count(refused.err.begin(), refused.err.end(), '\n'), 1) << refused.err;

@@ -39,7 +39,7 @@ class Shown {
 
   const NavigationReport& at(const Vec2& p, const Vec2& heading) {
     const VehicleState state = flight_.model->at_rest(Vec3(p.x(), p.y(), 1), heading);
-    flight_.navigator.update(flight_.sense(state, now_s_), state, now_s_);
+    flight_.navigator.update(flight_.sense(state, state, now_s_), state, now_s_);
     now_s_ += kDt_s;
     return report();
   }

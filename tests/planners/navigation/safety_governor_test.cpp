@@ -98,12 +98,13 @@ double free_way_m(const FreeSpace& free, const Vec2& p, const Vec2& along) {
 }
 
 // Half the narrowest strip that a governor lets a vehicle into.
-double narrowest_m(const MotionResponse& response) {
+double narrowest_m(const MotionResponse& response, const DeclaredErrors& errors = {}) {
   const VehicleState state = make_model(IdealConfig{})->at_rest({0, 0, 1}, {1, 0});
   double narrowest_m = 1;
   for (double half_width_m = 0.2; half_width_m < 0.8; half_width_m += 0.01) {
     const FreeSpace free = strip(-1, 4, half_width_m);
-    SafetyGovernor governor(response, kBodyRadius_m, kClearance_m, 0.05);
+    SafetyGovernor governor(response, kBodyRadius_m, kClearance_m, 0.05,
+                            SafetyGovernor::kEverywhere, errors);
     if (governor.allow({.v_world = Vec2(1.5, 0)}, state, free, {}, KnownClearance::planned)
             .speed_scale == 0)
       continue;
@@ -126,6 +127,34 @@ TEST(SafetyGovernor, LeavesRoomForAllThatAStopMayStrayFromItsPrediction) {
       EXPECT_LT(narrowest_m(response), kBodyRadius_m + stray_m + 0.04) << "not at the edge";
     }
   }
+}
+
+TEST(SafetyGovernor, LeavesRoomForWhatIsDeclaredToBeOff) {
+  const MotionResponse response = DriveResponse{};
+  const double exact_m = narrowest_m(response);
+  for (const double position_m : {0.1, 0.2}) {
+    const double room_m = narrowest_m(response, {.sensing = {.position_m = position_m}}) - exact_m;
+    EXPECT_NEAR(room_m, position_m, 0.021);
+  }
+  EXPECT_GT(narrowest_m(response, {.stop_per_speed_s = 1}), exact_m + 0.04);
+}
+
+// Where a heading is off, too: the faster, the longer is a stop.
+TEST(SafetyGovernor, GoesSlowerWhereStopsAreDeclaredToStrayWithSpeed) {
+  const FreeSpace free = strip(-1, 4, kBodyRadius_m + 0.1);
+  const auto scale_at = [&](double speed_m_s, const DeclaredErrors& errors) {
+    VehicleState state = make_model(IdealConfig{})->at_rest({0, 0, 1}, {1, 0});
+    state.v_world.x() = speed_m_s;
+    SafetyGovernor governor(DriveResponse{}, kBodyRadius_m, kClearance_m, 0.05,
+                            SafetyGovernor::kEverywhere, errors);
+    return governor.allow({.v_world = Vec2(1.5, 0)}, state, free, {}, KnownClearance::planned)
+        .speed_scale;
+  };
+  EXPECT_EQ(scale_at(0, {}), 1);
+  EXPECT_LT(scale_at(0, {.stop_per_speed_s = 0.1}), 0.7);
+  EXPECT_GT(scale_at(0, {.stop_per_speed_s = 0.1}), 0);
+  EXPECT_EQ(scale_at(1.5, {}), 1);
+  EXPECT_LT(scale_at(1.5, {.sensing = {.heading_rad = 0.5}}), 1);
 }
 
 // Flies towards the end of what is known free for so many periods of the governor, then brakes.

@@ -54,7 +54,7 @@ TEST(ReportData, MatchesTheGoldenText) {
   data["summary"].erase("statistics");
   EXPECT_EQ(
       data.dump(),
-      R"({"comparison":null,"folder":"DIR","manifest":{"version":"0.1.0"},"mapping":null,"stored_traces":3,"stored_trials":1,)"
+      R"({"comparison":null,"folder":"DIR","manifest":{"version":"0.1.0"},"mapping":null,"published":null,"stored_traces":3,"stored_trials":1,)"
       R"("summary":{"groups":[],"pairings":[],"totals":[]},"title":"golden","traces":{"t1":"//4="},)"
       R"("trials":{"barn_pace":[null],"barn_score":[null],"barn_time_s":[null],"budget_stops":{"index":[0],"texts":["0"]},"clearance_mean_m":[null],)"
       R"("clearance_smallest_m":[0.51],"cpu_time_s":[null],"duration_s":[0.3],"end_x_m":[null],)"

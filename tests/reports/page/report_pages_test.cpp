@@ -276,6 +276,25 @@ TEST_F(ReportPages, AComparisonSaysWhatChangedAndWhichTrialsEndOtherwise) {
   EXPECT_EQ(count("#page-comparison table:last-of-type"), "2");
 }
 
+TEST_F(ReportPages, WhatOthersPublishedStandsBesideTheRun) {
+  auto run = synthetic::make_run();
+  for (RunRecord& record : run.records) record.barn_score = 0.4;
+  ReportInput input = report_input_of(run, "Beside others");
+  open(write_page("alone.html", input));
+  EXPECT_EQ(count("nav a[href=\"#published\"]"), "0");
+  std::vector<PublishedWorld> worlds;
+  for (const RunRecord& record : run.records)
+    worlds.push_back({record.scenario, 10, 9, 1, 0.1, 30});
+  input.published = beside_published(run.records, {{"slow <method>", worlds}});
+  open(write_page("published.html", input), "#published");
+  const std::string shown = text("#page-published");
+  EXPECT_THAT(shown, HasSubstr("slow <method>"));
+  EXPECT_THAT(shown, HasSubstr("0.300"));  // ours less theirs
+  const std::size_t ours = input.published->differences.size();
+  EXPECT_EQ(count("#page-published tbody tr"), std::to_string(ours + 1 + ours));
+  expect_quiet();
+}
+
 TEST_F(ReportPages, TheFigureOfThePaperHasItsFiveScenesInItsOrder) {
   synthetic::RunConfig config;
   config.groups = {"paper-between", "paper-left", "paper-right", "paper-near-goal", "paper-even"};

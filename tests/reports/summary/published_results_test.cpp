@@ -4,6 +4,7 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 
 namespace voronaut {
 namespace {
@@ -97,6 +98,16 @@ TEST(PublishedResults, AreWrittenWithWhatTheNumbersAre) {
   EXPECT_THAT(text, HasSubstr("Over the 2 worlds that all have met"));
   EXPECT_THAT(text, HasSubstr("published"));
   EXPECT_THAT(barn_markdown(beside_published(ours(), theirs())), HasSubstr("| slow | published |"));
+}
+
+TEST(PublishedResults, AreJsonForPrograms) {
+  const BarnComparison comparison = beside_published(ours(), theirs());
+  const auto json = nlohmann::json::parse(barn_json(comparison));
+  EXPECT_EQ(json["worlds"], 2);
+  EXPECT_EQ(json["standings"][0]["name"], "fast");
+  EXPECT_EQ(json["standings"][0]["reached"]["successes"], 3);
+  EXPECT_EQ(json["differences"].size(), comparison.differences.size());
+  EXPECT_DOUBLE_EQ(json["differences"][0]["p_holm"], comparison.differences[0].p_holm);
 }
 
 }  // namespace
