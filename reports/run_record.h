@@ -37,6 +37,7 @@ struct RunRecord {
   double spl = kAbsent;
   double clearance_smallest_m = kAbsent;
   double clearance_mean_m = kAbsent;
+  double body_clearance_smallest_m = kAbsent;
   double speed_mean_m_s = kAbsent;
   double speed_max_m_s = kAbsent;
   double end_x_m = kAbsent;

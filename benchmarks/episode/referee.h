@@ -5,6 +5,7 @@
 
 #include "voronaut/benchmarks/episode/ground_truth_collision_checker.h"
 #include "voronaut/benchmarks/trial/loop_config.h"
+#include "voronaut/dynamics/catalog.h"
 #include "voronaut/dynamics/state.h"
 #include "voronaut/environments/scenario/scenario.h"
 #include "voronaut/environments/world.h"
@@ -23,7 +24,7 @@ struct Verdict {
 class Referee {
  public:
   // `contacts` of the scenario's world; null: made here.
-  Referee(const Scenario& scenario, double body_radius_m, double shortest_length_m,
+  Referee(const Scenario& scenario, const VehicleSpec& vehicle, double shortest_length_m,
           const LoopConfig& config, std::shared_ptr<const CollisionScene> contacts = nullptr);
 
   void judge(double now_s, const VehicleState& state);
@@ -36,6 +37,8 @@ class Referee {
   // When the centre was first within the goal tolerance; empty before.
   std::optional<double> arrived_s() const { return arrived_s_; }
   double end_s() const { return end_s_; }
+  // Of the body, or of the disc that holds it, unless the vehicle says that it is planned smaller:
+  // navigation takes for granted that this is free.
   bool contact_at_start() const;
 
  private:
@@ -45,6 +48,8 @@ class Referee {
 
   const Scenario& scenario_;
   LoopConfig config_;
+  std::shared_ptr<const CollisionScene> scene_;
+  VehicleSpec vehicle_;
   GroundTruthCollisionChecker contacts_;
   double time_limit_s_;
   std::optional<double> arrived_s_;

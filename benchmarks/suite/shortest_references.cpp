@@ -44,7 +44,7 @@ WorldDifficulty ShortestReferences::exact_difficulty(const Scenario& scenario) {
 }
 
 void ShortestReferences::add_to(TrialSpec& spec) {
-  spec.shortest_length_m = length_m(spec, spec.vehicle.body_radius_m);
+  spec.shortest_length_m = length_m(spec, spec.vehicle.inscribed_radius_m());
   spec.shortest_at_clearance_m = length_m(spec, spec.vehicle.planning_clearance_m);
   const WorldDifficulty difficulty = difficulty_of(spec);
   spec.free_share = difficulty.free_share;

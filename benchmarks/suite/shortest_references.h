@@ -33,9 +33,9 @@ class ShortestReferences {
 
   static WorldDifficulty exact_difficulty(const Scenario& scenario);
 
-  // Fills shortest_length_m (at the body's radius), shortest_at_clearance_m, free_share and
-  // narrowest_passage_m. A std::runtime_error of `length` or `difficulty` passes through, each
-  // time.
+  // Fills shortest_length_m (at the radius of the largest disc within the body),
+  // shortest_at_clearance_m, free_share and narrowest_passage_m. A std::runtime_error of `length`
+  // or `difficulty` passes through, each time.
   void add_to(TrialSpec& spec);
 
  private:

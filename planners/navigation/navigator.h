@@ -72,6 +72,8 @@ class Navigator {
   void follow_trail(const Vec2& p_world);
   void adopt(Plan plan);
   void judge_infeasible();
+  void look_around(const VehicleState& state);
+  Plan plan_that_fits();
   void retrace();
   void follow(Path path, PathEnd end);
   void note_arrival(const VehicleState& state);
@@ -123,6 +125,7 @@ class Navigator {
   double reduced_clearance_until_s_ = 0;
   std::optional<Vec2> refused_at_;  // by the governor, at the latest scan
   std::optional<Vec2> looks_at_;    // on wheels: an unknown place that it turns to
+  bool asks_for_fit_ = false;       // of paths: holds the footprint against known points along them
   bool leaves_ = false;             // on wheels: what its tube touches as it stands
   std::vector<Vec2> touched_;       // scratch: places of that
   NavigationReport report_;

@@ -68,7 +68,7 @@ bool Navigator::is_on_surface(const Vec2& unknown_world) const {
 
 void Navigator::recover(const VehicleState& state, double now_s) {
   const bool was_looking = look_around_.active();
-  look_around_.advance(state.heading_world());
+  look_around(state);
   if (was_looking && !look_around_.active()) tracker_.drop();  // plan anew with what was seen
   if (was_looking || now_s < back_off_until_s_ || arrived_) {
     recovery_.resume();
@@ -103,6 +103,7 @@ void Navigator::act(RecoveryAction action, const VehicleState& state, double now
       return;
     case RecoveryAction::drop_virtual_obstacles:
       virtual_obstacles_.clear();
+      asks_for_fit_ = false;
       break;
     case RecoveryAction::add_virtual_obstacle:
       if (!refused_at_) break;

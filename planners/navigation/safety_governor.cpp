@@ -1,6 +1,7 @@
 #include "voronaut/planners/navigation/safety_governor.h"
 
 #include <algorithm>
+#include <array>
 #include <limits>
 
 #include "voronaut/planners/navigation/departure.h"
@@ -13,6 +14,11 @@ constexpr double kSample_s = 0.05;
 // What is too close already may stay as close as it is, up to rounding.
 constexpr double kRounding_m = 1e-6;
 
+// Whether the body is a polygon whose heading is part of what is predicted.
+bool turns_as_predicted(const MotionResponse& response, const Footprint& footprint) {
+  return !footprint.is_disc() && !std::holds_alternative<VelocityResponse>(response);
+}
+
 }  // namespace
 
 const Bounds SafetyGovernor::kEverywhere{Vec2::Constant(-std::numeric_limits<double>::infinity()),
@@ -20,9 +26,13 @@ const Bounds SafetyGovernor::kEverywhere{Vec2::Constant(-std::numeric_limits<dou
 
 SafetyGovernor::SafetyGovernor(const MotionResponse& response, double body_radius_m,
                                double planning_clearance_m, double hold_s,
-                               const Bounds& centre_bounds_world)
-    : ladder_(ladder_of(response)),
-      tube_(body_radius_m, centre_bounds_world),
+                               const Bounds& centre_bounds_world, const Footprint& footprint)
+    : ladder_(ladder_of(response, turns_as_predicted(response, footprint))),
+      tube_(turns_as_predicted(response, footprint) ? inscribed_radius_m(footprint.corners_body)
+                                                    : body_radius_m,
+            centre_bounds_world),
+      sweep_(turns_as_predicted(response, footprint) ? std::optional<FootprintSweep>(footprint)
+                                                     : std::nullopt),
       keep_from_known_m_(planning_clearance_m - kKnownMargin_m),
       hold_s_(hold_s) {}
 
@@ -45,8 +55,7 @@ const GovernedMotion& SafetyGovernor::allow(const WantedMotion& wanted, const Ve
   if (ladder_->leads_on() || (allowed_.refused_at && free.is_free(*allowed_.refused_at)))
     allowed_.refused_at.reset();
   if (ladder_->leads_on() && level_ < top && ladder_->speed_m_s() <= kDepartureSpeed_m_s) {
-    allowed_.refused_at =
-        free.first_unknown_in_tube(refused_corners_, tube_.radius_m(refused_stop_));
+    allowed_.refused_at = unknown_refused(free);
   }
   allowed_.command = ladder_->command(level_);
   allowed_.v_world = level_ > 0 ? safe_stop_.v_command_world : Vec2(0, 0);
@@ -56,18 +65,48 @@ const GovernedMotion& SafetyGovernor::allow(const WantedMotion& wanted, const Ve
   return allowed_;
 }
 
-// A slower command sweeps less, so levels are safe up to one of them. That is most often the level
-// of the call before or next to it: looked for there first, then by bisection.
+std::optional<Vec2> SafetyGovernor::unknown_refused(const FreeSpace& free) {
+  if (sweep_) return sweep_->first_unknown(refused_stop_, refused_track_, refused_headings_, free);
+  return free.first_unknown_in_tube(refused_corners_, tube_.radius_m(refused_stop_));
+}
+
+void SafetyGovernor::places_touched(const VehicleState& state, double near_m, const FreeSpace& free,
+                                    std::vector<Vec2>& places) {
+  const Vec2 p = state.p_world.head<2>();
+  if (sweep_) {
+    const double grown_m = ladder_->stray_m(state) + sweep_->slack_m() + near_m;
+    sweep_->places_faced(p, state.heading_world(), grown_m, free, places);
+    return;
+  }
+  const std::array here{p, p};
+  free.unknown_cells_in_tube(here, tube_.body_radius_m() + room_to_bounds_m(state) + near_m,
+                             places);
+}
+
 std::size_t SafetyGovernor::safe_level(const FreeSpace& free, const ObstacleSnapshot& known,
                                        double keep_m) {
   const std::size_t top = ladder_->top();
-  std::size_t safe = 0, unsafe = top + 1;
-  std::size_t level = std::min(level_ + 1, top);
+  const std::size_t turns = sweep_ && ladder_->leads_on() ? ladder_->turn_levels() : 0;
+  std::size_t safe = safe_level_between(turns, top, free, known, keep_m);
+  if (safe == turns && turns > 0) safe = safe_level_between(0, turns, free, known, keep_m);
+  corners_.swap(safe_corners_);
+  return safe;
+}
+
+// The highest of the levels above `low` that is safe, up to `high`; `low` if none is.
+// A slower command sweeps less, so levels are safe up to one of them. That is most often the level
+// of the call before or next to it: looked for there first, then by bisection.
+std::size_t SafetyGovernor::safe_level_between(std::size_t low, std::size_t high,
+                                               const FreeSpace& free, const ObstacleSnapshot& known,
+                                               double keep_m) {
+  std::size_t safe = low, unsafe = high + 1;
+  std::size_t level = std::clamp(level_ + 1, low + 1, high);
   bool near = true;
   while (unsafe - safe > 1) {
-    const PredictedStop stop = ladder_->predict(level, hold_s_, kSample_s, track_);
+    const PredictedStop stop = predict(level);
     StopTube::straighten(track_, corners_);
-    if (tube_.is_safe(stop, corners_, free, known, keep_m)) {
+    if (tube_.is_safe(stop, corners_, free, known, keep_m) &&
+        (!sweep_ || sweep_->is_safe(stop, track_, headings_, free))) {
       safe = level;
       safe_stop_ = stop;
       safe_corners_.swap(corners_);
@@ -75,15 +114,22 @@ std::size_t SafetyGovernor::safe_level(const FreeSpace& free, const ObstacleSnap
       unsafe = level;
       refused_stop_ = stop;
       refused_corners_.swap(corners_);
+      refused_track_.swap(track_);
+      refused_headings_.swap(headings_);
     }
-    if (near && unsafe == level && level > 1)
+    if (near && unsafe == level && level > low + 1)
       --level;
     else
       level = (safe + unsafe) / 2;
     near = false;
   }
-  corners_.swap(safe_corners_);
   return safe;
+}
+
+PredictedStop SafetyGovernor::predict(std::size_t level) {
+  if (sweep_)
+    return ladder_->predict(level, hold_s_, FootprintSweep::kSample_s, track_, &headings_);
+  return ladder_->predict(level, hold_s_, kSample_s, track_);
 }
 
 }  // namespace voronaut

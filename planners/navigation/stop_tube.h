@@ -19,6 +19,7 @@ class StopTube {
   StopTube(double body_radius_m, const Bounds& centre_bounds_world)
       : body_radius_m_(body_radius_m), centre_bounds_world_(centre_bounds_world) {}
 
+  double body_radius_m() const { return body_radius_m_; }
   double radius_m(const PredictedStop& stop) const {
     return body_radius_m_ + stop.stray_m + kStraight_m;
   }
