@@ -24,9 +24,8 @@ Referee::Referee(const Scenario& scenario, const VehicleSpec& vehicle, double sh
                  const LoopConfig& config, std::shared_ptr<const CollisionScene> contacts)
     : scenario_(scenario),
       config_(config),
-      scene_(contacts ? std::move(contacts) : CollisionScene::of(scenario.world->shapes())),
-      vehicle_(vehicle),
-      contacts_(scene_, vehicle.body_radius_m, vehicle.footprint),
+      contacts_(contacts ? std::move(contacts) : CollisionScene::of(scenario.world->shapes()),
+                vehicle.body_radius_m, vehicle.footprint),
       anchor_(scenario.start_world) {
   const double reference_m = std::isfinite(shortest_length_m)
                                  ? shortest_length_m
@@ -35,9 +34,7 @@ Referee::Referee(const Scenario& scenario, const VehicleSpec& vehicle, double sh
 }
 
 bool Referee::contact_at_start() const {
-  const bool planned_smaller = vehicle_.planned_radius_m() < vehicle_.body_radius_m;
-  if (planned_smaller) return contacts_.touches(scenario_.start_world, scenario_.start_heading);
-  return GroundTruthCollisionChecker(scene_, vehicle_.body_radius_m).touches(scenario_.start_world);
+  return contacts_.touches(scenario_.start_world, scenario_.start_heading);
 }
 
 void Referee::judge(double now_s, const VehicleState& state) {

@@ -37,8 +37,6 @@ class Referee {
   // When the centre was first within the goal tolerance; empty before.
   std::optional<double> arrived_s() const { return arrived_s_; }
   double end_s() const { return end_s_; }
-  // Of the body, or of the disc that holds it, unless the vehicle says that it is planned smaller:
-  // navigation takes for granted that this is free.
   bool contact_at_start() const;
 
  private:
@@ -48,8 +46,6 @@ class Referee {
 
   const Scenario& scenario_;
   LoopConfig config_;
-  std::shared_ptr<const CollisionScene> scene_;
-  VehicleSpec vehicle_;
   GroundTruthCollisionChecker contacts_;
   double time_limit_s_;
   std::optional<double> arrived_s_;

@@ -13,18 +13,10 @@ constexpr double kCosTurn = 0.9961946980917455;
 constexpr double kSinTurn = 0.0871557427476582;
 constexpr int kHalfATurn = 36;
 
-// Leaves all places behind by a good deal.
-bool departs(const Vec2& way, const Vec2& p_world, std::span<const Vec2> places) {
-  return std::ranges::all_of(places, [&](const Vec2& place) {
-    const Vec2 from_place = p_world - place;
-    return way.dot(from_place) > kGoodFraction * from_place.norm();
-  });
-}
-
 }  // namespace
 
 bool leads_away(const Vec2& v_command_m_s, std::span<const Vec2> track,
-                std::span<const Vec2> places, std::span<const double> rim_moved_m) {
+                std::span<const Vec2> places) {
   const Vec2& start = track.front();
   for (const Vec2& place : places) {
     const Vec2 from_place = start - place;
@@ -32,10 +24,9 @@ bool leads_away(const Vec2& v_command_m_s, std::span<const Vec2> track,
     if (distance_m == 0) return false;
     const double away_m_s = v_command_m_s.dot(from_place) / distance_m;
     if (away_m_s < kDepartureFraction * v_command_m_s.norm()) return false;
-    for (std::size_t i = 1; i < track.size(); ++i) {
-      const Vec2 way = track[i] - start;
-      const double moved_m = rim_moved_m.empty() ? 0 : rim_moved_m[i];
-      const double away_m = way.dot(from_place) / distance_m - moved_m;
+    for (const Vec2& corner : track.subspan(1)) {
+      const Vec2 way = corner - start;
+      const double away_m = way.dot(from_place) / distance_m;
       if (away_m < kDepartureFraction * way.norm() - kDepartureDrift_m) return false;
     }
   }
@@ -44,21 +35,19 @@ bool leads_away(const Vec2& v_command_m_s, std::span<const Vec2> track,
 
 std::optional<Vec2> departing_direction(const Vec2& towards, const Vec2& p_world,
                                         std::span<const Vec2> places) {
+  const auto departs = [&](const Vec2& way) {
+    return std::ranges::all_of(places, [&](const Vec2& place) {
+      const Vec2 from_place = p_world - place;
+      return way.dot(from_place) > kGoodFraction * from_place.norm();
+    });
+  };
   Vec2 to_left = towards, to_right = towards;
   for (int turns = 0; turns <= kHalfATurn; ++turns) {
-    if (departs(to_left, p_world, places)) return to_left;
-    if (departs(to_right, p_world, places)) return to_right;
+    if (departs(to_left)) return to_left;
+    if (departs(to_right)) return to_right;
     to_left = kCosTurn * to_left + kSinTurn * left_of(to_left);
     to_right = kCosTurn * to_right - kSinTurn * left_of(to_right);
   }
-  return std::nullopt;
-}
-
-std::optional<Vec2> departing_along(const Vec2& heading, const Vec2& towards, const Vec2& p_world,
-                                    std::span<const Vec2> places) {
-  const Vec2 nearer = heading.dot(towards) >= 0 ? heading : Vec2(-heading);
-  if (departs(nearer, p_world, places)) return nearer;
-  if (departs(-nearer, p_world, places)) return Vec2(-nearer);
   return std::nullopt;
 }
 

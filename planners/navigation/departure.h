@@ -23,20 +23,13 @@ inline constexpr double kDepartureDrift_m = 0.003;
 // for it, whose first corner is the body's centre now: no disc around a place comes closer to it,
 // up to the drift. The flight comes at most 1 cm closer to any of them, see
 // tests/planners/navigation/departure_test.cpp. O(places x corners).
-// `rim_moved_m`, of a body that turns meanwhile: at each corner of the track, how far its rim may
-// have come closer to the places by that.
 bool leads_away(const Vec2& v_command_m_s, std::span<const Vec2> track,
-                std::span<const Vec2> places, std::span<const double> rim_moved_m = {});
+                std::span<const Vec2> places);
 
 // The direction (unit vector) nearest to `towards` (unit vector), to 5 degrees, in which a body at
 // p leaves all places behind by a good deal more than kDepartureFraction; none if they lie all
 // around. O(places x directions).
 std::optional<Vec2> departing_direction(const Vec2& towards, const Vec2& p_world,
                                         std::span<const Vec2> places);
-
-// The same for what would have to turn to go another way than ahead or back: that of these two
-// which lies nearer to `towards`, or else the other.
-std::optional<Vec2> departing_along(const Vec2& heading, const Vec2& towards, const Vec2& p_world,
-                                    std::span<const Vec2> places);
 
 }  // namespace voronaut

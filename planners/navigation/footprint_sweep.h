@@ -23,8 +23,9 @@ class FootprintSweep {
   // beyond their chords, and of headings by the error of their prediction.
   double slack_m() const { return slack_m_; }
 
-  // Whether all that is swept lies in known-free space, or a slow command leads away from what it
-  // touches without turning towards it (departure.h). `track` and `headings` (unit vectors) as
+  // Whether all that is swept lies in known-free space, or the command is slow (departure.h) and no
+  // part of the body comes closer to any cell that it touches: what stands there was not touched
+  // before either. `track` and `headings` (unit vectors) as
   // predicted. O(samples that turn x rows).
   bool is_safe(const PredictedStop& stop, const std::vector<Vec2>& track,
                const std::vector<Vec2>& headings, const FreeSpace& free);
@@ -33,10 +34,11 @@ class FootprintSweep {
   std::optional<Vec2> first_unknown(const PredictedStop& stop, const std::vector<Vec2>& track,
                                     const std::vector<Vec2>& headings, const FreeSpace& free);
 
-  // For each cell that is not known free and comes within `grown_m` of the body where it stands, a
-  // place in the direction, seen from the body's centre, that its closest corner or side faces.
-  void places_faced(const Vec2& p_world, const Vec2& heading, double grown_m, const FreeSpace& free,
-                    std::vector<Vec2>& places);
+  // Which of ahead and back, the one nearer to `towards` first, leads straight away from all cells
+  // that are not known free and come within what a stop may stray and near_m of the body as it
+  // stands (a unit vector); none: it touches nothing there, or neither does.
+  std::optional<Vec2> way_out(const Vec2& towards, const Vec2& p_world, const Vec2& heading,
+                              double near_m, const FreeSpace& free);
 
  private:
   // Calls visit(hull) for the hulls along the track, until it returns false.
@@ -44,13 +46,19 @@ class FootprintSweep {
   bool each_hull(const std::vector<Vec2>& track, const std::vector<Vec2>& headings, Visit&& visit);
   bool departs(const PredictedStop& stop, const std::vector<Vec2>& track,
                const std::vector<Vec2>& headings, const FreeSpace& free);
-  void face(const Vec2& p_world, const Vec2& heading, std::vector<Vec2>& places);
+  // What of the cells the body, at p, does not cover.
+  void note_corners(const Vec2& p_world, const Vec2& heading, const FreeSpace& free);
+  bool comes_no_closer(const Vec2& p_world, const Vec2& heading);
 
   std::vector<Vec2> corners_body_;
   double radius_m_;  // of the disc about the origin that holds it
   double slack_m_;
+  struct Corner {
+    Vec2 p_world;
+    double distance_m;  // of the body as it stands
+  };
+  std::vector<Corner> cell_corners_;                   // scratch
   std::vector<Vec2> hull_, placed_, cells_, touched_;  // scratch
-  std::vector<double> rim_moved_m_;                    // scratch
 };
 
 }  // namespace voronaut

@@ -82,17 +82,16 @@ double cell_m(const NavigatorConfig& config) {
   return std::clamp(diagonal_m / std::numbers::sqrt2, kFinestCell_m, coarsest_m);
 }
 
-// Where the body stands at the start is free; with all the room to turn, unless it is planned as
-// less.
+// Where the body stands at the start is free.
 void mark_start(const NavigatorConfig& config, FreeSpace& free) {
   const Mission& mission = config.mission;
-  if (!config.vehicle.planned_smaller()) {
+  const Footprint& footprint = config.vehicle.footprint;
+  if (footprint.is_disc()) {
     free.mark_disc(mission.start_world, config.vehicle.body_radius_m);
     return;
   }
   std::vector<Vec2> corners_world;
-  place_corners(config.vehicle.footprint.corners_body, mission.start_world, mission.start_heading,
-                corners_world);
+  place_corners(footprint.corners_body, mission.start_world, mission.start_heading, corners_world);
   free.mark_convex(corners_world);
 }
 

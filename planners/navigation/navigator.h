@@ -127,7 +127,6 @@ class Navigator {
   std::optional<Vec2> looks_at_;    // on wheels: an unknown place that it turns to
   bool asks_for_fit_ = false;       // of paths: holds the footprint against known points along them
   bool leaves_ = false;             // on wheels: what its tube touches as it stands
-  std::vector<Vec2> touched_;       // scratch: places of that
   NavigationReport report_;
   NavigationObserver* observer_ = nullptr;
 };

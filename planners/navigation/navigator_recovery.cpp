@@ -41,10 +41,11 @@ std::optional<Vec2> Navigator::unknown_that_holds_back(const VehicleState& state
 }
 
 // What moves in any direction looks there as it goes. What drives along its heading turns to the
-// place first if it is out of view, on the spot, until it has it well in view.
+// place first if it is out of view, on the spot, until it has it well in view; not if it may lack
+// the room for that.
 std::optional<Vec2> Navigator::unknown_to_look_at(const VehicleState& state) {
   const auto held_back_by = unknown_that_holds_back(state);
-  if (!governs_wheels()) return held_back_by;
+  if (!governs_wheels() || governor_->sweeps_by_turning()) return held_back_by;
   const auto off_view = [&](const Vec2& place, double share) {
     const Vec2 way = place - state.p_world.head<2>();
     if (way.norm() == 0) return false;

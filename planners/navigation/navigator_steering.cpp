@@ -146,18 +146,15 @@ void Navigator::leave_what_it_touches(WantedMotion& wanted, const VehicleState& 
   if (!leaves && !stands) return;
   const Vec2 p = state.p_world.head<2>();
   const double near_m = leaves ? kLeft_m : kTouched_m;
-  governor_->places_touched(state, near_m, free_space_, touched_);
+  std::optional<Vec2> known_point;
   if (kept == KnownClearance::planned) {
     const ObstacleSnapshot known = map_.snapshot();
     if (const auto nearest = known.nearest(p, kept_from_known_m() + near_m))
-      touched_.push_back(known.points()[*nearest]);
+      known_point = known.points()[*nearest];
   }
-  if (touched_.empty()) return;
   const double wanted_m_s = wanted.v_world.norm();
-  const Vec2 towards = wanted.v_world / wanted_m_s;
-  const auto away = governor_->sweeps_by_turning()
-                        ? departing_along(state.heading_world(), towards, p, touched_)
-                        : departing_direction(towards, p, touched_);
+  const auto away =
+      governor_->way_out(wanted.v_world / wanted_m_s, state, near_m, free_space_, known_point);
   if (!away) return;
   leaves_ = true;
   wanted.v_world = wanted_m_s * *away;

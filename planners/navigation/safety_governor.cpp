@@ -70,17 +70,20 @@ std::optional<Vec2> SafetyGovernor::unknown_refused(const FreeSpace& free) {
   return free.first_unknown_in_tube(refused_corners_, tube_.radius_m(refused_stop_));
 }
 
-void SafetyGovernor::places_touched(const VehicleState& state, double near_m, const FreeSpace& free,
-                                    std::vector<Vec2>& places) {
+std::optional<Vec2> SafetyGovernor::way_out(const Vec2& towards, const VehicleState& state,
+                                            double near_m, const FreeSpace& free,
+                                            const std::optional<Vec2>& known_point) {
   const Vec2 p = state.p_world.head<2>();
   if (sweep_) {
-    const double grown_m = ladder_->stray_m(state) + sweep_->slack_m() + near_m;
-    sweep_->places_faced(p, state.heading_world(), grown_m, free, places);
-    return;
+    const double room_m = ladder_->stray_m(state) + near_m;
+    return sweep_->way_out(towards, p, state.heading_world(), room_m, free);
   }
   const std::array here{p, p};
-  free.unknown_cells_in_tube(here, tube_.body_radius_m() + room_to_bounds_m(state) + near_m,
-                             places);
+  const double tube_m = tube_.body_radius_m() + room_to_bounds_m(state);
+  free.unknown_cells_in_tube(here, tube_m + near_m, touched_);
+  if (known_point) touched_.push_back(*known_point);
+  if (touched_.empty()) return std::nullopt;
+  return departing_direction(towards, p, touched_);
 }
 
 std::size_t SafetyGovernor::safe_level(const FreeSpace& free, const ObstacleSnapshot& known,

@@ -72,10 +72,11 @@ class SafetyGovernor {
   // What a track at the present speed keeps from the bounds.
   double room_to_bounds_m(const VehicleState& state) const;
 
-  // A place in the direction of each cell that is not known free and comes within what a stop may
-  // stray and near_m of the body as it stands, into `places`.
-  void places_touched(const VehicleState& state, double near_m, const FreeSpace& free,
-                      std::vector<Vec2>& places);
+  // The direction (unit vector) nearest to `towards` in which the body, as it stands, leaves all
+  // cells that are not known free and come within what a stop may stray and near_m of it, and a
+  // known point, if there is one as close; none: it is near to nothing, or that lies all around.
+  std::optional<Vec2> way_out(const Vec2& towards, const VehicleState& state, double near_m,
+                              const FreeSpace& free, const std::optional<Vec2>& known_point);
   // Turning on the spot, too, takes known-free space.
   bool sweeps_by_turning() const { return sweep_.has_value(); }
 
@@ -99,6 +100,7 @@ class SafetyGovernor {
   double keep_from_known_m_;
   double hold_s_;
   GovernedMotion allowed_;
+  std::vector<Vec2> touched_;           // scratch
   std::vector<Vec2> track_, headings_;  // as predicted
   std::vector<Vec2> refused_track_, refused_headings_;
   std::vector<Vec2> corners_;          // its corners
