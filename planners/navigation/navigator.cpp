@@ -217,8 +217,7 @@ bool Navigator::depart(const VehicleState& state, double now_s) {
 }
 
 void Navigator::look_around(const VehicleState& state) {
-  const bool refused = governor_ && governor_->sweeps_by_turning() &&
-                       report_.executive == ExecutiveState::looking_around &&
+  const bool refused = sweeps_by_turning() && report_.executive == ExecutiveState::looking_around &&
                        report_.speed_scale == 0;
   if (refused) look_around_.give_up();
   look_around_.advance(state.heading_world());
