@@ -61,6 +61,9 @@ struct RunRecord {
   double tracking_error_rms_m = kAbsent;
   double tracking_error_max_m = kAbsent;
   double energy_j = kAbsent;
+  double settling_s = kAbsent;
+  double overshoot_m = kAbsent;
+  double stopping_distance_m = kAbsent;
 
   double mapping_time_us_mean = kAbsent;
   double mapping_time_us_p99 = kAbsent;

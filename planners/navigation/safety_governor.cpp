@@ -28,9 +28,7 @@ SafetyGovernor::SafetyGovernor(const MotionResponse& response, double body_radiu
                                double planning_clearance_m, double hold_s,
                                const Bounds& centre_bounds_world, const Footprint& footprint)
     : ladder_(ladder_of(response, turns_as_predicted(response, footprint))),
-      tube_(turns_as_predicted(response, footprint) ? inscribed_radius_m(footprint.corners_body)
-                                                    : body_radius_m,
-            centre_bounds_world),
+      tube_(body_radius_m, centre_bounds_world),
       sweep_(turns_as_predicted(response, footprint) ? std::optional<FootprintSweep>(footprint)
                                                      : std::nullopt),
       keep_from_known_m_(planning_clearance_m - kKnownMargin_m),
@@ -108,8 +106,7 @@ std::size_t SafetyGovernor::safe_level_between(std::size_t low, std::size_t high
   while (unsafe - safe > 1) {
     const PredictedStop stop = predict(level);
     StopTube::straighten(track_, corners_);
-    if (tube_.is_safe(stop, corners_, free, known, keep_m) &&
-        (!sweep_ || sweep_->is_safe(stop, track_, headings_, free))) {
+    if (tube_.keeps_clear(stop, corners_, known, keep_m) && is_free(stop, free)) {
       safe = level;
       safe_stop_ = stop;
       safe_corners_.swap(corners_);
@@ -127,6 +124,11 @@ std::size_t SafetyGovernor::safe_level_between(std::size_t low, std::size_t high
     near = false;
   }
   return safe;
+}
+
+bool SafetyGovernor::is_free(const PredictedStop& stop, const FreeSpace& free) {
+  return sweep_ ? sweep_->is_safe(stop, track_, headings_, free)
+                : tube_.is_free(stop, corners_, free);
 }
 
 PredictedStop SafetyGovernor::predict(std::size_t level) {

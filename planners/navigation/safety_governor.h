@@ -92,11 +92,12 @@ class SafetyGovernor {
   std::size_t safe_level_between(std::size_t low, std::size_t high, const FreeSpace& free,
                                  const ObstacleSnapshot& known, double keep_m);
   PredictedStop predict(std::size_t level);
+  bool is_free(const PredictedStop& stop, const FreeSpace& free);
   std::optional<Vec2> unknown_refused(const FreeSpace& free);
 
   std::unique_ptr<CommandLadder> ladder_;
   StopTube tube_;
-  std::optional<FootprintSweep> sweep_;  // of what is no disc; the tube is that of a disc within
+  std::optional<FootprintSweep> sweep_;  // of what is no disc, instead of the tube
   double keep_from_known_m_;
   double hold_s_;
   GovernedMotion allowed_;
