@@ -138,7 +138,7 @@ TEST(GovernedPolygon, PassesGapsThatTheDiscAboutItDoesNotFitThrough) {
 }
 
 TEST(GovernedPolygon, TouchesNothingInForestsAndTraps) {
-  for (const std::string vehicle :
+  for (const std::string& vehicle :
        {jackal_hull("planning_clearance_m: 0.35"),
         jackal_hull("planning_clearance_m: 0.27", ", planned_radius_m: 0.21")}) {
     for (const char* scenario :

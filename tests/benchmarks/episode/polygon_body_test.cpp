@@ -122,7 +122,9 @@ TEST(BodyClearance, IsTheLeastThatTheTurnedSurfaceKept) {
   of_polygon.add(Vec2(0.3, 0), Vec2(1, 0), index.clearance_m(Vec2(0.3, 0)));
   EXPECT_EQ(of_polygon.smallest_m(), 0);
 
-  BodyClearance of_disc(index, {.body_radius_m = 0.2});
+  VehicleSpec disc;
+  disc.body_radius_m = 0.2;
+  BodyClearance of_disc(index, disc);
   of_disc.add(Vec2(0, 0), Vec2(0, 1), index.clearance_m(Vec2(0, 0)));
   EXPECT_NEAR(of_disc.smallest_m(), 0.3, 1e-12);
 }

@@ -83,7 +83,11 @@ TEST(GroundTruthCollisionChecker, SaysAlongAWayWhatItSaysOfEachPlace) {
   EXPECT_GT(changes, 100);
 }
 
-VehicleSpec body() { return {.body_radius_m = kBodyRadius_m}; }
+VehicleSpec body() {
+  VehicleSpec vehicle;
+  vehicle.body_radius_m = kBodyRadius_m;
+  return vehicle;
+}
 
 Scenario open_field() {
   Scenario scenario;
