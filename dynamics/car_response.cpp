@@ -71,9 +71,11 @@ CarResponse::Rates CarResponse::rates_asked(const CarMotion& now,
 
 void CarResponse::predict_stop(const CarMotion& now, const ArcCommand& before,
                                const ArcCommand& commanded, double hold_s, double sample_s,
-                               std::vector<Eigen::Vector2d>& track) const {
+                               std::vector<Eigen::Vector2d>& track,
+                               std::vector<Eigen::Vector2d>* headings) const {
   CarMotion m = now;
   track.assign(1, m.p_m);
+  if (headings != nullptr) headings->assign(1, m.heading);
   const auto hold_steps = std::lround(hold_s / period_s);
   const long sample_steps = std::max(1L, std::lround(sample_s / period_s));
   const auto steps_max = static_cast<long>(kCarHorizon_s / period_s);
@@ -88,11 +90,13 @@ void CarResponse::predict_stop(const CarMotion& now, const ArcCommand& before,
     pending = next;
     if ((step + 1) % sample_steps == 0 || heading_sampled.dot(m.heading) < kCarBendsCosine) {
       track.push_back(m.p_m);
+      if (headings != nullptr) headings->push_back(m.heading);
       heading_sampled = m.heading;
     }
   }
   track.push_back(m.p_m);
   track.push_back(m.p_m + rest_m * m.heading);
+  if (headings != nullptr) headings->insert(headings->end(), 2, m.heading);
 }
 
 ArcCommand steered_towards(const CarMotion& now, const Eigen::Vector2d& way_m, double speed_m_s,

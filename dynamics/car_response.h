@@ -48,7 +48,8 @@ struct CarResponse {
 
   // As DriveResponse::predict_stop.
   void predict_stop(const CarMotion& now, const ArcCommand& before, const ArcCommand& commanded,
-                    double hold_s, double sample_s, std::vector<Eigen::Vector2d>& track) const;
+                    double hold_s, double sample_s, std::vector<Eigen::Vector2d>& track,
+                    std::vector<Eigen::Vector2d>* headings = nullptr) const;
 };
 
 // Pure pursuit (arc_steering.h) as tight as the steering allows, forwards: the arc through the

@@ -131,6 +131,14 @@ void require_known_period(const RegulatorConfig& config, double period_s) {
 
 }  // namespace
 
+double VehicleSpec::planned_radius_m() const {
+  return footprint.planned_radius_m > 0 ? footprint.planned_radius_m : body_radius_m;
+}
+
+double VehicleSpec::inscribed_radius_m() const {
+  return footprint.is_disc() ? body_radius_m : voronaut::inscribed_radius_m(footprint.corners_body);
+}
+
 std::vector<std::string> vehicle_names() { return names_of(vehicles()); }
 
 std::vector<std::string> regulator_names() { return names_of(regulators()); }

@@ -5,6 +5,7 @@
 #include <variant>
 #include <vector>
 
+#include "voronaut/dynamics/footprint.h"
 #include "voronaut/dynamics/limits.h"
 #include "voronaut/dynamics/model.h"
 #include "voronaut/dynamics/models/car.h"
@@ -42,13 +43,19 @@ using RegulatorConfig =
 
 struct VehicleSpec {
   std::string name;
-  double body_radius_m = 0.25;
+  double body_radius_m = 0.25;  // of the disc about the centre of mass that holds the footprint
+  Footprint footprint = {};
   double planning_clearance_m = 0.40;
   MotionLimits limits;
   ModelConfig model;
   std::string regulator;  // the one it flies with unless another is asked for
 
-  // The model's own parameters are visited apart, on `model`.
+  // Of the disc that planners keep free of obstacles; and of the largest one that is wholly body.
+  double planned_radius_m() const;
+  double inscribed_radius_m() const;
+
+  // The model's own parameters are visited apart, on `model`, and the footprint's keys by who reads
+  // them (benchmarks/suite/entry_keys.h).
   template <class Visitor>
   void visit(Visitor& v) {
     v.number("body_radius_m", body_radius_m, 0.001, 10,

@@ -9,6 +9,7 @@ namespace {
 
 // What is left of a way that bends by less than this in all is a straight line.
 constexpr double kStraightRest_m = 0.001;
+constexpr double kTurnedRest_rad = 0.02;
 constexpr double kDriveHorizon_s = 4;
 // A sample more where it has turned by 0.05 rad: between two of them, at most 0.125 m apart (2.5
 // m/s), an arc lies within 0.8 mm of its chord.
@@ -62,34 +63,41 @@ DriveMotion DriveResponse::motion_of(const VehicleState& state) const {
 
 void DriveResponse::predict_stop(const DriveMotion& now, const ArcCommand& before,
                                  const ArcCommand& commanded, double hold_s, double sample_s,
-                                 std::vector<Eigen::Vector2d>& track) const {
+                                 std::vector<Eigen::Vector2d>& track,
+                                 std::vector<Eigen::Vector2d>* headings) const {
   DriveMotion m = now;
   track.assign(1, m.p_m);
+  if (headings != nullptr) headings->assign(1, m.heading);
   const auto hold_steps = std::lround(hold_s / period_s);
   const long sample_steps = std::max(1L, std::lround(sample_s / period_s));
   const auto steps_max = static_cast<long>(kDriveHorizon_s / period_s);
   DriveRates pending = rates_asked(*this, m, before);
   Eigen::Vector2d heading_sampled = m.heading;
-  double rest_m = 0;
+  double rest_m = 0, rest_rad = 0;
   for (long step = 0; step < steps_max; ++step) {
     if (step > hold_steps) {
       // Of two linear loops, what is left is v / k along the heading, which turns by w / k.
       rest_m = m.v_m_s / speed_gain_1_s;
-      const double bend_rad = std::abs(m.w_rad_s) / yaw_rate_gain_1_s;
+      rest_rad = m.w_rad_s / yaw_rate_gain_1_s;
       const bool linear = speed_gain_1_s * std::abs(m.v_m_s) < 0.9 * a_max_m_s2 &&
                           yaw_rate_gain_1_s * std::abs(m.w_rad_s) < 0.9 * alpha_max_rad_s2;
-      if (linear && std::abs(rest_m) * bend_rad < kStraightRest_m) break;
+      const bool turned = headings == nullptr || std::abs(rest_rad) < kTurnedRest_rad;
+      if (linear && turned && std::abs(rest_m * rest_rad) < kStraightRest_m) break;
     }
     const DriveRates next = rates_asked(*this, m, step >= hold_steps ? ArcCommand{} : commanded);
     drive(*this, m, pending);
     pending = next;
     if ((step + 1) % sample_steps == 0 || heading_sampled.dot(m.heading) < kBendsCosine) {
       track.push_back(m.p_m);
+      if (headings != nullptr) headings->push_back(m.heading);
       heading_sampled = m.heading;
     }
   }
   track.push_back(m.p_m);
   track.push_back(m.p_m + rest_m * m.heading);
+  if (headings == nullptr) return;
+  headings->push_back(m.heading);
+  headings->push_back(turned_a_little(m.heading, rest_rad));
 }
 
 }  // namespace voronaut

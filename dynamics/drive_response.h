@@ -41,8 +41,11 @@ struct DriveResponse {
   // Positions from now until rest, `sample_s` apart and closer where it bends: hold
   // `commanded` for hold_s, then brake (command 0, 0). `before` was commanded until now. `track` is
   // overwritten; no allocation once it is large enough. O(time to rest / period_s), at most 4 s.
+  // `headings`, if asked for: the body's at each of them (unit vectors), until it has turned as far
+  // as it will.
   void predict_stop(const DriveMotion& now, const ArcCommand& before, const ArcCommand& commanded,
-                    double hold_s, double sample_s, std::vector<Eigen::Vector2d>& track) const;
+                    double hold_s, double sample_s, std::vector<Eigen::Vector2d>& track,
+                    std::vector<Eigen::Vector2d>* headings = nullptr) const;
 };
 
 }  // namespace voronaut

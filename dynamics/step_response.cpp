@@ -112,4 +112,12 @@ double flown_stop_m(const VehicleSpec& vehicle, const RegulatorConfig& regulator
   return farthest_m - from_m;
 }
 
+StepAnswer step_answer(const VehicleSpec& vehicle, const RegulatorConfig& regulator,
+                       double period_s) {
+  const PositionStep step = position_step(vehicle, regulator, kAnswerStep_m, period_s);
+  const bool settles = step.settling_s < 2 * kDuration_s;
+  return {settles ? step.settling_s : kNone, step.overshoot_m,
+          flown_stop_m(vehicle, regulator, vehicle.limits.max_speed_m_s, period_s)};
+}
+
 }  // namespace voronaut

@@ -30,4 +30,15 @@ PositionStep position_step(const VehicleSpec& vehicle, const RegulatorConfig& re
 double flown_stop_m(const VehicleSpec& vehicle, const RegulatorConfig& regulator, double speed_m_s,
                     double period_s);
 
+// What records say of a vehicle under its regulator: the step to a point kAnswerStep_m ahead, and
+// the stop from the vehicle's largest speed. NaN for what never settles or tips over.
+inline constexpr double kAnswerStep_m = 5;
+struct StepAnswer {
+  double settling_s;
+  double overshoot_m;
+  double stopping_distance_m;
+};
+StepAnswer step_answer(const VehicleSpec& vehicle, const RegulatorConfig& regulator,
+                       double period_s);
+
 }  // namespace voronaut

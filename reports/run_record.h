@@ -37,6 +37,7 @@ struct RunRecord {
   double spl = kAbsent;
   double clearance_smallest_m = kAbsent;
   double clearance_mean_m = kAbsent;
+  double body_clearance_smallest_m = kAbsent;
   double speed_mean_m_s = kAbsent;
   double speed_max_m_s = kAbsent;
   double end_x_m = kAbsent;
@@ -60,6 +61,9 @@ struct RunRecord {
   double tracking_error_rms_m = kAbsent;
   double tracking_error_max_m = kAbsent;
   double energy_j = kAbsent;
+  double settling_s = kAbsent;
+  double overshoot_m = kAbsent;
+  double stopping_distance_m = kAbsent;
 
   double mapping_time_us_mean = kAbsent;
   double mapping_time_us_p99 = kAbsent;

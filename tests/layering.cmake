@@ -16,10 +16,10 @@ set(allowed_dynamics "dynamics/")
 set(allowed_reports "reports/")
 set(allowed_planners
   "planners/"
-  "environments/shapes/(cell_grid|geometry|shapes|shape_index)[.]h"
+  "environments/shapes/(cell_grid|geometry|shapes|shape_index|convex_distance)[.]h"
   "environments/sensing/(scan|ray_caster)[.]h"
   "environments/config/nearest_name[.]h"
-  "dynamics/(state|path|limits|stopping|speed_profile|heading|velocity_response|motion_response)[.]h")
+  "dynamics/(state|path|limits|footprint|stopping|speed_profile|heading|velocity_response|motion_response)[.]h")
 set(allowed_benchmarks "benchmarks/" "planners/" "environments/" "dynamics/" "reports/")
 # An engine is text: it sees no other room.
 set(alone "benchmarks/engines")

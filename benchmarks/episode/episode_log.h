@@ -73,6 +73,7 @@ struct EpisodeLog {
   std::array<std::int64_t, kSolveEnds> solve_ends{};  // of the replans, by SolveEnd
   Verdict verdict{Outcome::invalid, ""};
   double end_s = 0;
+  double body_clearance_smallest_m = 0;  // body's surface to the true surface
 
   StageTimes mapping;
   StageTimes planning;

@@ -94,6 +94,8 @@ Trace trace_of(const TrialSpec& spec, const EpisodeLog& log, const ObstacleSnaps
   Trace trace;
   trace.trial_id = spec.trial_id;
   trace.body_radius_m = spec.vehicle.body_radius_m;
+  for (const Vec2& corner : spec.vehicle.footprint.corners_body)
+    trace.footprint.push_back(trace_point(corner));
   trace.clearance_min_m = spec.vehicle.planning_clearance_m;
   trace.field_of_view_rad = spec.flight.range_finder.field_of_view_rad;
   trace.max_range_m = spec.flight.range_finder.max_range_m;

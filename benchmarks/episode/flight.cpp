@@ -16,6 +16,7 @@ VehicleFacts vehicle_facts(const TrialSpec& spec) {
   const StoppingLaw law = stopping_law(spec.regulator, spec.vehicle);
   VehicleFacts facts;
   facts.body_radius_m = spec.vehicle.body_radius_m;
+  facts.footprint = spec.vehicle.footprint;
   facts.planning_clearance_m = spec.vehicle.planning_clearance_m;
   facts.steering =
       mobility_of(spec.vehicle).moves_sideways ? Steering::any_direction : Steering::along_heading;
@@ -73,9 +74,9 @@ Flight::Flight(const TrialSpec& trial, const PlannerCatalog& planners, bool keep
       range_finder(trial.flight.range_finder),
       sensor_noise(derive_seed(trial.planner_seed, {"range finder"}, 0)),
       navigator(navigator_config(trial), planners),
-      recorder(*trial.scenario.world, navigator, keep_scans),
-      referee(trial.scenario, trial.vehicle.body_radius_m, trial.shortest_length_m,
-              trial.flight.loop, trial.contacts) {}
+      recorder(*trial.scenario.world, trial.vehicle, navigator, keep_scans),
+      referee(trial.scenario, trial.vehicle, trial.shortest_length_m, trial.flight.loop,
+              trial.contacts) {}
 
 VehicleState Flight::at_start() const {
   const Scenario& scenario = spec.scenario;

@@ -29,6 +29,7 @@ void add_metrics(RunRecord& record, const EpisodeLog& log, const Scenario& scena
   record.duration_s = arrival_or_end_s;
   add_path(record, flown, scenario);
   record.clearance_smallest_m = clearance_smallest_m(log.ticks);  // while it holds at the goal too
+  record.body_clearance_smallest_m = log.body_clearance_smallest_m;
   record.speed_mean_m_s = speed_mean_m_s(flown, log.departure_s);
   record.speed_max_m_s = speed_max_m_s(flown);
   if (scenario.barn_length_m > 0) add_barn(record, flown, scenario.barn_length_m);

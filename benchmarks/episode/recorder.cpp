@@ -7,8 +7,12 @@
 
 namespace voronaut {
 
-Recorder::Recorder(const World& world, Navigator& navigator, bool keep_scans)
-    : clearance_(world.index()), navigator_(navigator), keep_scans_(keep_scans) {
+Recorder::Recorder(const World& world, const VehicleSpec& vehicle, Navigator& navigator,
+                   bool keep_scans)
+    : body_clearance_(world.index(), vehicle),
+      clearance_(world.index()),
+      navigator_(navigator),
+      keep_scans_(keep_scans) {
   navigator_.observe(this);
 }
 
@@ -28,6 +32,7 @@ EpisodeLog Recorder::finish(double now_s, const VehicleState& state, const Refer
   log_.departure_s = navigator_.report().departed_s.value_or(0);
   log_.verdict = *referee.verdict();
   log_.end_s = referee.end_s();
+  log_.body_clearance_smallest_m = body_clearance_.smallest_m();
   return std::move(log_);
 }
 
@@ -45,7 +50,10 @@ void Recorder::path_adopted(const Path& path) {
 }
 
 void Recorder::record_tick(double now_s, const VehicleState& state) {
-  log_.ticks.push_back({now_s, state, clearance_.at(state.p_world.head<2>())});
+  const Vec2 p = state.p_world.head<2>();
+  const double clearance_m = clearance_.at(p);
+  log_.ticks.push_back({now_s, state, clearance_m});
+  body_clearance_.add(p, state.heading_world(), clearance_m);
 }
 
 void Recorder::record_scan() {

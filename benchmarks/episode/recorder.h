@@ -1,5 +1,6 @@
 #pragma once
 
+#include "voronaut/benchmarks/episode/body_clearance.h"
 #include "voronaut/benchmarks/episode/episode_log.h"
 #include "voronaut/environments/shapes/clearance_along.h"
 #include "voronaut/environments/world.h"
@@ -12,7 +13,7 @@ class Recorder : public NavigationObserver {
  public:
   // Observes the navigator, which must outlive it, as must the world. `keep_scans`: everything that
   // a replay shows, beside what metrics are made of.
-  Recorder(const World& world, Navigator& navigator, bool keep_scans);
+  Recorder(const World& world, const VehicleSpec& vehicle, Navigator& navigator, bool keep_scans);
 
   // Around each vehicle step: before anything is done in `state`, and after it has been done.
   void step_begins(double now_s, const VehicleState& state);
@@ -30,6 +31,7 @@ class Recorder : public NavigationObserver {
   void keep_for_replay(ScanEvent& event);
   int mode_of_scan(const NavigationReport& report);
 
+  BodyClearance body_clearance_;
   ClearanceAlong clearance_;
   Navigator& navigator_;
   bool keep_scans_;

@@ -20,12 +20,12 @@ std::string at_text(const char* what, double now_s, const Vec2& p) {
 
 }  // namespace
 
-Referee::Referee(const Scenario& scenario, double body_radius_m, double shortest_length_m,
+Referee::Referee(const Scenario& scenario, const VehicleSpec& vehicle, double shortest_length_m,
                  const LoopConfig& config, std::shared_ptr<const CollisionScene> contacts)
     : scenario_(scenario),
       config_(config),
       contacts_(contacts ? std::move(contacts) : CollisionScene::of(scenario.world->shapes()),
-                body_radius_m),
+                vehicle.body_radius_m, vehicle.footprint),
       anchor_(scenario.start_world) {
   const double reference_m = std::isfinite(shortest_length_m)
                                  ? shortest_length_m
@@ -33,13 +33,15 @@ Referee::Referee(const Scenario& scenario, double body_radius_m, double shortest
   time_limit_s_ = config.time_limit_base_s + config.time_limit_s_per_m * reference_m;
 }
 
-bool Referee::contact_at_start() const { return contacts_.touches(scenario_.start_world); }
+bool Referee::contact_at_start() const {
+  return contacts_.touches(scenario_.start_world, scenario_.start_heading);
+}
 
 void Referee::judge(double now_s, const VehicleState& state) {
   const Vec2 p = state.p_world.head<2>();
   const bool judged_height =
       state.p_world.z() >= kGroundHeight_m || scenario_.cruise_height_m < kGroundHeight_m;
-  if (judged_height && contacts_.touches(p)) {
+  if (judged_height && contacts_.touches(p, state.heading_world())) {
     finish(now_s, Outcome::collision, at_text("touched an obstacle", now_s, p));
   } else if (!scenario_.world->bounds().contains(p)) {
     finish(now_s, Outcome::out_of_bounds, at_text("left the bounds", now_s, p));

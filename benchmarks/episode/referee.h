@@ -5,6 +5,7 @@
 
 #include "voronaut/benchmarks/episode/ground_truth_collision_checker.h"
 #include "voronaut/benchmarks/trial/loop_config.h"
+#include "voronaut/dynamics/catalog.h"
 #include "voronaut/dynamics/state.h"
 #include "voronaut/environments/scenario/scenario.h"
 #include "voronaut/environments/world.h"
@@ -23,7 +24,7 @@ struct Verdict {
 class Referee {
  public:
   // `contacts` of the scenario's world; null: made here.
-  Referee(const Scenario& scenario, double body_radius_m, double shortest_length_m,
+  Referee(const Scenario& scenario, const VehicleSpec& vehicle, double shortest_length_m,
           const LoopConfig& config, std::shared_ptr<const CollisionScene> contacts = nullptr);
 
   void judge(double now_s, const VehicleState& state);

@@ -71,13 +71,22 @@ std::string scenario_text(const FileKeys& keys) {
          named_tables(keys.generators, 4);
 }
 
+// All other sections of a vehicle are the suite's.
+std::string footprint_text(const FileKeys& keys) {
+  for (const KeyFact& fact : keys.vehicle)
+    if (fact.key == "footprint")
+      return heading(3, "`footprint`") + fact.sentence + ".\n\n" + table(fact.keys);
+  return "";
+}
+
 std::string vehicle_text(const FileKeys& keys) {
   return heading(2, "Vehicles") +
          "An entry of `vehicles` is a name or a map; its sections hold instead of the suite's, key "
          "by key:\n\n" +
-         table(keys.vehicle) + heading(3, "`params`") + named_tables(keys.vehicle_params, 4) +
-         heading(3, "`model`") + named_tables(keys.vehicle_models, 4) + heading(3, "`regulator`") +
-         "A name or a map:\n\n" + table(keys.regulator) + named_tables(keys.regulators, 4);
+         table(keys.vehicle) + footprint_text(keys) + heading(3, "`params`") +
+         named_tables(keys.vehicle_params, 4) + heading(3, "`model`") +
+         named_tables(keys.vehicle_models, 4) + heading(3, "`regulator`") + "A name or a map:\n\n" +
+         table(keys.regulator) + named_tables(keys.regulators, 4);
 }
 
 std::string planner_text(const FileKeys& keys) {

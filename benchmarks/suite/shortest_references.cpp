@@ -44,7 +44,8 @@ WorldDifficulty ShortestReferences::exact_difficulty(const Scenario& scenario) {
 }
 
 void ShortestReferences::add_to(TrialSpec& spec) {
-  spec.shortest_length_m = length_m(spec, spec.vehicle.body_radius_m);
+  spec.answer = answer_of(spec);
+  spec.shortest_length_m = length_m(spec, spec.vehicle.inscribed_radius_m());
   spec.shortest_at_clearance_m = length_m(spec, spec.vehicle.planning_clearance_m);
   const WorldDifficulty difficulty = difficulty_of(spec);
   spec.free_share = difficulty.free_share;
@@ -54,6 +55,14 @@ void ShortestReferences::add_to(TrialSpec& spec) {
 double ShortestReferences::length_m(const TrialSpec& spec, double radius_m) {
   return once(known_, failed_, std::make_pair(spec.world_id, radius_m),
               [&] { return length_(spec.scenario, radius_m); });
+}
+
+StepAnswer ShortestReferences::answer_of(const TrialSpec& spec) {
+  if (spec.kind != TrialKind::flown) return spec.answer;
+  const auto found = answers_.find(spec.vehicle.name);
+  if (found != answers_.end()) return found->second;
+  const double period_s = spec.flight.loop.vehicle_period_s;
+  return answers_[spec.vehicle.name] = step_answer(spec.vehicle, spec.regulator, period_s);
 }
 
 WorldDifficulty ShortestReferences::difficulty_of(const TrialSpec& spec) {

@@ -15,8 +15,9 @@ struct WorldDifficulty {
   double narrowest_passage_m = kAbsent;  // see narrowest_passage.h; NaN where it is infinite
 };
 
-// What is known of true worlds: lengths of shortest paths, each computed once for a world and a
-// radius, and how hard they are, once for a world.
+// What is known before a flight: lengths of shortest paths, each computed once for a world and a
+// radius, how hard worlds are, once for a world, and how vehicles answer steps, once for each that
+// flies.
 class ShortestReferences {
  public:
   // Length from start to goal of a scenario for a disc of that radius; NaN if there is no path.
@@ -33,19 +34,21 @@ class ShortestReferences {
 
   static WorldDifficulty exact_difficulty(const Scenario& scenario);
 
-  // Fills shortest_length_m (at the body's radius), shortest_at_clearance_m, free_share and
-  // narrowest_passage_m. A std::runtime_error of `length` or `difficulty` passes through, each
-  // time.
+  // Fills answer, shortest_length_m (at the radius of the largest disc within the body),
+  // shortest_at_clearance_m, free_share and narrowest_passage_m. A std::runtime_error of `length`
+  // or `difficulty` passes through, each time.
   void add_to(TrialSpec& spec);
 
  private:
   double length_m(const TrialSpec& spec, double radius_m);
   WorldDifficulty difficulty_of(const TrialSpec& spec);
+  StepAnswer answer_of(const TrialSpec& spec);
 
   Length length_;
   using WorldAndRadius = std::pair<std::string, double>;  // the world's id
   std::map<WorldAndRadius, double> known_;
   std::map<WorldAndRadius, std::string> failed_;  // why
+  std::map<std::string, StepAnswer> answers_;     // by the label of the vehicle
   Difficulty difficulty_;
   std::map<std::string, WorldDifficulty> difficulties_;  // by the world's id
   std::map<std::string, std::string> not_rated_;         // why

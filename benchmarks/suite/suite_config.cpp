@@ -145,6 +145,7 @@ SuiteConfig read_suite(const ConfigNode& with_sweep, const std::string& data_arg
   suite.name = read_name(root.child("suite"));
   read_contents(root, data_argument, planners, suite);
   read_navigation_of_vehicles(root, suite);
+  require_footprints(root, suite);
   if (suite.kind == TrialKind::flown)
     for (std::size_t i = 0; i < suite.vehicles.size(); ++i) require_able(root, suite, i);
   if (const auto acceptance = root.find("acceptance"))

@@ -37,6 +37,7 @@ struct VehicleEntry {
   VehicleSpec vehicle;
   std::string regulator_name;
   RegulatorConfig regulator;
+  bool footprint_of_scenario = false;  // each scenario tells it; see footprint_entry.h
   std::optional<FlightConfig> flight = std::nullopt;  // instead of the suite's
   // Of planners that have their own, by label, over that flight.
   std::map<std::string, NavigationConfig> navigation = {};

@@ -7,6 +7,7 @@
 
 #include "voronaut/benchmarks/isolation/child_process.h"
 #include "voronaut/benchmarks/suite/entry_keys.h"
+#include "voronaut/benchmarks/suite/footprint_entry.h"
 #include "voronaut/benchmarks/suite/suite_config.h"
 #include "voronaut/environments/config/config_reader.h"
 #include "voronaut/environments/config/label.h"
@@ -134,6 +135,7 @@ VehicleEntry read_vehicle(const ConfigNode& entry, const FlightConfig& flight) {
   std::optional<ConfigNode> regulator_node;
   if (entry.is_map()) {
     if (const auto params = entry.find("params")) read_into(*params, read.vehicle);
+    if (const auto footprint = entry.find("footprint")) read_footprint(*footprint, entry, read);
     read_params(entry, "model", read.vehicle.model);
     read_own_flight(entry, flight, read);
     regulator_node = entry.find("regulator");
@@ -145,9 +147,8 @@ VehicleEntry read_vehicle(const ConfigNode& entry, const FlightConfig& flight) {
   read.regulator = find_regulator(read.regulator_name);
   if (regulator_node && regulator_node->is_map())
     read_params(*regulator_node, "params", read.regulator);
-  if (read.vehicle.planning_clearance_m < read.vehicle.body_radius_m)
-    throw entry.error("planning_clearance_m " + number_text(read.vehicle.planning_clearance_m) +
-                      " is less than body_radius_m " + number_text(read.vehicle.body_radius_m));
+  if (const std::string problem = clearance_problem(read.vehicle); !problem.empty())
+    throw entry.error(problem);
   at(entry, [&] { make_model(read.vehicle.model); });
   at(regulator_node.value_or(entry), [&] { stopping_law(read.regulator, read.vehicle); });
   return read;

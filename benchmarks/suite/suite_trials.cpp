@@ -4,6 +4,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "voronaut/benchmarks/suite/footprint_entry.h"
 #include "voronaut/benchmarks/trial/trial_id.h"
 #include "voronaut/environments/random.h"
 
@@ -116,6 +117,7 @@ PlannedTrial SuiteTrials::trial(const VehicleEntry& vehicle, const PlannerSpec& 
     spec.scenario.start_height_m = spec.scenario.cruise_height_m = 0;
   spec.world_id = world_id_;
   spec.vehicle = vehicle.vehicle;
+  if (vehicle.footprint_of_scenario) take_footprint(spec.scenario, spec.vehicle);
   spec.regulator_name = vehicle.regulator_name;
   spec.regulator = vehicle.regulator;
   spec.planner = planner;

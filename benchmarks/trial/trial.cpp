@@ -30,6 +30,9 @@ RunRecord record_before_flight(const TrialSpec& spec) {
   if (spec.scenario.barn_length_m > 0) record.barn_score = 0;  // until it arrives
   record.free_share = spec.free_share;
   record.narrowest_passage_m = spec.narrowest_passage_m;
+  record.settling_s = spec.answer.settling_s;
+  record.overshoot_m = spec.answer.overshoot_m;
+  record.stopping_distance_m = spec.answer.stopping_distance_m;
   return record;
 }
 

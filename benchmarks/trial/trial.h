@@ -9,6 +9,7 @@
 
 #include "voronaut/benchmarks/trial/flight_config.h"
 #include "voronaut/dynamics/catalog.h"
+#include "voronaut/dynamics/step_response.h"
 #include "voronaut/environments/scenario/scenario.h"
 #include "voronaut/planners/catalog/catalog.h"
 #include "voronaut/planners/problem/problem.h"
@@ -54,6 +55,9 @@ struct TrialSpec {
   // How hard the world is, computed once for it; NaN where nothing says so.
   double free_share = kAbsent;
   double narrowest_passage_m = kAbsent;
+
+  // How the vehicle under its regulator answers, flown apart; NaN where nothing says so.
+  StepAnswer answer{kAbsent, kAbsent, kAbsent};
 
   // What the world's obstacles are to the referee; where it is null the trial makes its own.
   std::shared_ptr<const CollisionScene> contacts = nullptr;

@@ -57,6 +57,14 @@ ConfigEntries task_entries(const TrialSpec& spec) {
   return entries;
 }
 
+// Of a polygon; a disc is told by the vehicle's section.
+std::string footprint_text(const Footprint& footprint) {
+  if (footprint.is_disc()) return "";
+  std::string text = "footprint:";
+  for (const Vec2& corner : footprint.corners_body) text += " " + point_text(corner);
+  return text + " planned " + number_text(footprint.planned_radius_m) + "\n";
+}
+
 }  // namespace
 
 std::string canonical_world(const Scenario& scenario) {
@@ -82,8 +90,8 @@ std::string canonical_trial(const TrialSpec& spec) {
   ConfigEntries params(spec.planner.params.begin(), spec.planner.params.end());
   return "trial: " + canonical_text(task_entries(spec)) + "\n" +
          "params: " + canonical_text(params) + "\n" + section("vehicle", spec.vehicle) +
-         section("model", spec.vehicle.model) + section("regulator", spec.regulator) +
-         section("flight", flight_entries(spec.flight));
+         footprint_text(spec.vehicle.footprint) + section("model", spec.vehicle.model) +
+         section("regulator", spec.regulator) + section("flight", flight_entries(spec.flight));
 }
 
 std::string trial_id(const TrialSpec& spec) { return sha256_hex(canonical_trial(spec)); }

@@ -3,6 +3,7 @@
 #include <optional>
 #include <string>
 
+#include "voronaut/environments/shapes/robot_body.h"
 #include "voronaut/environments/shapes/shapes.h"
 
 // What files of other projects say, in our terms: metres, world frame W.
@@ -33,6 +34,7 @@ struct ForeignWorld {
   std::optional<Vec2> start;
   std::optional<Vec2> goal;
   std::optional<double> start_heading_rad;
+  std::optional<RobotBody> robot;
   std::optional<CellFrame> cells;  // if it came as a grid
   int bodies_off_plane = 0;        // left out, because they do not meet the plane of flight
 };

@@ -12,6 +12,7 @@ namespace voronaut {
 namespace {
 
 constexpr double kDefaultSide_m = 10;  // of IR-SIM's world
+constexpr double kStandardRadius_m = 0.2;
 
 // The keys that IR-SIM documents (docs/source/yaml_config). Most are about motion and plots and are
 // not read; one that looks like a misspelt one of these would change the world.
@@ -133,7 +134,7 @@ void add_shape(const ConfigNode& shape, const Placed& at, Shapes& shapes) {
   if (kind == "circle") {
     const auto center = find_given(shape, "center");
     const Vec2 p = at.world(center ? read_xy(*center) : Vec2(0, 0));
-    shapes.circles.push_back({p, size_of(shape, "radius", 0.2)});
+    shapes.circles.push_back({p, size_of(shape, "radius", kStandardRadius_m)});
   } else if (kind == "rectangle") {
     shapes.polygons.push_back(
         box(at.p, size_of(shape, "length", 1), size_of(shape, "width", 1), at.heading()));
@@ -190,10 +191,33 @@ void add_obstacles(const ConfigNode& entry, Shapes& shapes) {
   for (std::size_t i = 0; i < count; ++i) {
     if (is_unobstructed(entry, i)) continue;
     if (kinds.empty())
-      shapes.circles.push_back({of_index(states, i).p, 0.2});
+      shapes.circles.push_back({of_index(states, i).p, kStandardRadius_m});
     else
       add_shape(of_index(kinds, i), of_index(states, i), shapes);
   }
+}
+
+// What a robot is, where it is one disc about its origin or one convex polygon around it. Shapes
+// that are not read for obstacles either tell nothing, so neither do those with a wheelbase, which
+// moves a body ahead of its rear axle.
+std::optional<RobotBody> body_of(const std::vector<ConfigNode>& kinds) {
+  if (kinds.empty()) return RobotBody{kStandardRadius_m};
+  const ConfigNode& shape = kinds.front();
+  Shapes alone;
+  try {
+    add_shape(shape, {}, alone);
+  } catch (const ConfigError&) {
+    return std::nullopt;
+  }
+  if (alone.size() != 1 || !alone.segments.empty()) return std::nullopt;
+  if (!alone.circles.empty()) {
+    const Circle& disc = alone.circles.front();
+    if (disc.center != Vec2(0, 0)) return std::nullopt;
+    return RobotBody{disc.radius_m};
+  }
+  RobotBody body{0, alone.polygons.front().vertices};
+  if (!body_problem(body.corners_body).empty()) return std::nullopt;
+  return body;
 }
 
 // The first robot that IR-SIM does not place itself.
@@ -207,6 +231,7 @@ void read_robot(const std::vector<ConfigNode>& robots, ForeignWorld& read) {
     read.start = start.p;
     read.start_heading_rad = start.theta_rad;
     read.goal = (goal ? first_state(*goal) : kStandardGoal).p;
+    read.robot = body_of(one_or_more(find_given(robot, "shape")));
   }
 }
 

@@ -1,9 +1,11 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "voronaut/environments/shapes/geometry.h"
+#include "voronaut/environments/shapes/robot_body.h"
 
 namespace voronaut {
 
@@ -20,7 +22,8 @@ struct Scenario {
   Vec2 goal_world = Vec2::Zero();
   Vec2 start_heading = Vec2::UnitX();  // unit; towards the goal unless the source says otherwise
   double goal_tolerance_m = 0.2;
-  double barn_length_m = 0;  // what the BARN challenge counts by; 0: no course of it
+  std::optional<RobotBody> robot;  // of the file that it comes from, if that tells of one
+  double barn_length_m = 0;        // what the BARN challenge counts by; 0: no course of it
 };
 
 }  // namespace voronaut

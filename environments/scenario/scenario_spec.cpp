@@ -27,6 +27,12 @@ std::string world_text(const World& world) {
   return text;
 }
 
+std::string robot_text(const RobotBody& robot) {
+  std::string text = "robot " + number_text(robot.radius_m);
+  for (const Vec2& corner : robot.corners_body) text += point_text(corner);
+  return text + ";";
+}
+
 Scenario scenario_of(const TaskConfig& task, std::shared_ptr<const World> world, const Vec2& start,
                      const Vec2& goal, std::optional<double> heading_rad) {
   Scenario scenario;
@@ -39,6 +45,7 @@ Scenario scenario_of(const TaskConfig& task, std::shared_ptr<const World> world,
   scenario.goal_world = goal;
   scenario.goal_tolerance_m = task.goal_tolerance_m;
   scenario.barn_length_m = task.barn_length_m;
+  scenario.robot = task.robot;
   if (heading_rad)
     scenario.start_heading = unit_vector(*heading_rad);
   else if (start != goal)
@@ -90,6 +97,7 @@ std::string ScenarioSpec::definition() const {
   std::string text = canonical_text(ungrouped);
   if (start_heading_rad_) text += "start_heading_rad=" + number_text(*start_heading_rad_) + ";";
   if (task_.barn_length_m > 0) text += "barn_length_m=" + number_text(task_.barn_length_m) + ";";
+  if (task_.robot) text += robot_text(*task_.robot);
   if (generator_) return text + canonical_text(generator_->entries());
   return text + "start " + point_text(start_) + ";goal " + point_text(goal_) + ";" +
          world_text(*world_) + ";";

@@ -28,6 +28,7 @@ struct TaskConfig {
   double cruise_height_m = 1;
   double goal_tolerance_m = 0.2;
   double barn_length_m = 0;  // of a course of BARN, as its data set tells; 0: no course of it
+  std::optional<RobotBody> robot = std::nullopt;  // as the scenario's file tells it
 
   template <class Visitor>
   void visit(Visitor& v) {
@@ -54,6 +55,7 @@ class ScenarioSpec {
 
   const std::string& name() const { return task_.name; }
   const std::string& group() const { return task_.group; }
+  const std::optional<RobotBody>& robot() const { return task_.robot; }
   // Whether the world depends on the seed.
   bool random() const { return generator_.has_value(); }
   // Everything that decides what instantiate() returns, the group apart, as text: equal texts,

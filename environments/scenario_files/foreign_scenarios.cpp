@@ -93,6 +93,7 @@ ScenarioSpecs read_world_file_entry(const ConfigNode& entry, const DataLocation&
   ForeignWorld read = format.read(path, options);
   require_bodies_on_plane(read, options, entry);
   const auto world = world_of(read, entry);
+  task.robot = read.robot;
   const auto queries = entry.find("queries");
   if (!queries)
     return {placed_scenario(task, world, given_or(entry, "start", read.start),

@@ -12,7 +12,9 @@ constexpr std::array kArcScales = {0.05, 0.12, 0.25, 0.4, 0.6, 0.8, 1.0};
 // Off its heading by more than 10 deg, it rather turns on the spot than go slower than a quarter.
 constexpr double kStraightCosine = 0.985;
 constexpr std::size_t kSlowArcs = 2;
-constexpr std::size_t kTurn = 1;  // level
+// On the spot, from level 1 on.
+constexpr std::array kTurnInSteps = {0.08, 0.3, 1.0};
+constexpr std::array kTurnAtOnce = {1.0};
 // A point nearer than this to where it will be then is as good as passed.
 constexpr double kPassed_m = 0.03;
 
@@ -26,6 +28,11 @@ DriveMotion led(const DriveMotion& now, double lead_s) {
 }
 
 }  // namespace
+
+ArcLadder::ArcLadder(const DriveResponse& response, bool turns_in_steps)
+    : response_(response),
+      turn_scales_(turns_in_steps ? std::span<const double>(kTurnInSteps)
+                                  : std::span<const double>(kTurnAtOnce)) {}
 
 void ArcLadder::set_up(const WantedMotion& wanted, const VehicleState& state) {
   now_ = response_.motion_of(state);
@@ -61,26 +68,26 @@ ArcCommand ArcLadder::arc_ahead(const Vec2& way_m, double speed_m_s) const {
 }
 
 std::size_t ArcLadder::top() const {
-  if (leads_on()) return kTurn + scales_.size();
-  return full_.w_rad_s != 0 ? kTurn : 0;
+  if (leads_on()) return turn_levels() + scales_.size();
+  return full_.w_rad_s != 0 ? turn_levels() : 0;
 }
 
 double ArcLadder::speed_scale(std::size_t level) const {
-  if (level > kTurn) return scales_[level - kTurn - 1];
-  return level == kTurn && !leads_on() ? 1 : 0;
+  if (level > turn_levels()) return scales_[level - turn_levels() - 1];
+  return level > 0 && !leads_on() ? turn_scales_[level - 1] : 0;
 }
 
 ArcCommand ArcLadder::arc(std::size_t level) const {
   if (level == 0) return {};
-  if (level == kTurn) return turn_;
+  if (level <= turn_levels()) return {0, turn_scales_[level - 1] * turn_.w_rad_s};
   const double scale = speed_scale(level);
   return {scale * full_.v_m_s, scale * full_.w_rad_s};
 }
 
 PredictedStop ArcLadder::predict(std::size_t level, double hold_s, double sample_s,
-                                 std::vector<Vec2>& track) const {
+                                 std::vector<Vec2>& track, std::vector<Vec2>* headings) const {
   const ArcCommand command = arc(level);
-  response_.predict_stop(now_, before_, command, hold_s, sample_s, track);
+  response_.predict_stop(now_, before_, command, hold_s, sample_s, track, headings);
   return {command.v_m_s * now_.heading, std::max(std::abs(command.v_m_s), std::abs(now_.v_m_s)),
           response_.error_m(now_, command)};
 }

@@ -77,9 +77,9 @@ ArcCommand CarLadder::arc(std::size_t level) const {
 }
 
 PredictedStop CarLadder::predict(std::size_t level, double hold_s, double sample_s,
-                                 std::vector<Vec2>& track) const {
+                                 std::vector<Vec2>& track, std::vector<Vec2>* headings) const {
   const ArcCommand command = arc(level);
-  response_.predict_stop(now_, before_, command, hold_s, sample_s, track);
+  response_.predict_stop(now_, before_, command, hold_s, sample_s, track, headings);
   return {command.v_m_s * now_.heading, std::max(std::abs(command.v_m_s), std::abs(now_.v_m_s)),
           response_.error_m(now_, command)};
 }

@@ -18,8 +18,8 @@ class CarLadder : public CommandLadder {
   bool leads_on() const override { return true; }
   double speed_scale(std::size_t level) const override;
   MotionCommand command(std::size_t level) const override { return arc(level); }
-  PredictedStop predict(std::size_t level, double hold_s, double sample_s,
-                        std::vector<Vec2>& track) const override;
+  PredictedStop predict(std::size_t level, double hold_s, double sample_s, std::vector<Vec2>& track,
+                        std::vector<Vec2>* headings = nullptr) const override;
   void give(std::size_t level) override;
   Vec2 p_world() const override { return now_.p_m; }
   double speed_m_s() const override;

@@ -41,12 +41,17 @@ class CommandLadder {
   virtual std::size_t top() const = 0;  // level; 0: nothing is wanted but to brake
   // False if all that is wanted is a turn on the spot before it leads anywhere.
   virtual bool leads_on() const = 0;
+  // Of the levels after braking, so many turn on the spot. A body that is no disc may lack the room
+  // for them where it has room for faster ones.
+  virtual std::size_t turn_levels() const { return 0; }
   virtual double speed_scale(std::size_t level) const = 0;  // of the speed wanted
   virtual MotionCommand command(std::size_t level) const = 0;
   // Positions from now until rest into `track`, as motion_response.h predicts them for the level's
-  // command after the one that was given before.
+  // command after the one that was given before. `headings`, where the response predicts them: the
+  // body's x axis at each.
   virtual PredictedStop predict(std::size_t level, double hold_s, double sample_s,
-                                std::vector<Vec2>& track) const = 0;
+                                std::vector<Vec2>& track,
+                                std::vector<Vec2>* headings = nullptr) const = 0;
   // This level's command is given.
   virtual void give(std::size_t level) = 0;
 
@@ -56,6 +61,7 @@ class CommandLadder {
   virtual double stray_m(const VehicleState& state) const = 0;
 };
 
-std::unique_ptr<CommandLadder> ladder_of(const MotionResponse& response);
+// `turns_in_steps`: turns on the spot come slower as well, for a body that sweeps by turning.
+std::unique_ptr<CommandLadder> ladder_of(const MotionResponse& response, bool turns_in_steps);
 
 }  // namespace voronaut

@@ -12,6 +12,8 @@ class LookAround {
 
   void begin(const Vec2& heading_world);
   bool active() const { return active_; }
+  // Where there is no room to turn.
+  void give_up() { active_ = false; }
   // Call with the heading at each scan while active; ends when all has been seen.
   void advance(const Vec2& heading_world);
 

@@ -6,6 +6,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "voronaut/planners/navigation/footprint_fit.h"
 #include "voronaut/planners/navigation/shortcut.h"
 
 // When to set off, when to plan, and what to make of the planner's answer.
@@ -16,7 +17,9 @@ namespace {
 // What a body within the bounds may touch.
 Bounds reachable_bounds(const NavigatorConfig& config) {
   const Bounds& bounds = config.mission.bounds_world;
-  const Vec2 rim(config.vehicle.planning_clearance_m, config.vehicle.planning_clearance_m);
+  const double reach_m =
+      std::max(config.vehicle.planning_clearance_m, config.vehicle.body_radius_m);
+  const Vec2 rim(reach_m, reach_m);
   return {bounds.min - rim, bounds.max + rim};
 }
 
@@ -50,7 +53,7 @@ std::optional<SafetyGovernor> governor_of(const NavigatorConfig& config) {
         "a governor needs a motion response of the kind of the vehicle's steering");
   return SafetyGovernor(*vehicle.motion_response, vehicle.body_radius_m,
                         vehicle.planning_clearance_m, config.range_finder.period_s,
-                        config.mission.bounds_world, config.errors);
+                        config.mission.bounds_world, vehicle.footprint, config.errors);
 }
 
 // How far a vehicle's course swings from its path towards a wall, at a corner or braking, in the
@@ -59,6 +62,8 @@ constexpr double kSwingAside_m = 0.025;
 // Finer cells cost more than they give: an update takes 10 k instructions at 0.05 m, 22 k at 0.015
 // m, 34 k at 0.01 m (91 rays).
 constexpr double kFinestCell_m = 0.01;
+// Paths that a body does not fit along, at one scan; then the governor decides.
+constexpr int kTriesToFit = 3;
 
 // Cells on a wall are never known free. So a tube keeps a cell's diagonal from it, and what
 // planners keep beside the body must have room for that, for what a stop strays, and for the swing:
@@ -68,10 +73,26 @@ double cell_m(const NavigatorConfig& config) {
   const double coarsest_m = FreeSpaceConfig{}.cell_m;
   const auto governor = governor_of(config);
   if (!governor) return coarsest_m;
-  const double beside_body_m = config.vehicle.planning_clearance_m - config.vehicle.body_radius_m;
+  const VehicleFacts& vehicle = config.vehicle;
+  const double radius_m =
+      vehicle.planned_smaller() ? vehicle.footprint.planned_radius_m : vehicle.body_radius_m;
+  const double beside_body_m = vehicle.planning_clearance_m - radius_m;
   const double stray_m = governor->room_to_bounds_m(VehicleState{});
   const double diagonal_m = beside_body_m - stray_m - kSwingAside_m;
   return std::clamp(diagonal_m / std::numbers::sqrt2, kFinestCell_m, coarsest_m);
+}
+
+// Where the body stands at the start is free.
+void mark_start(const NavigatorConfig& config, FreeSpace& free) {
+  const Mission& mission = config.mission;
+  const Footprint& footprint = config.vehicle.footprint;
+  if (footprint.is_disc()) {
+    free.mark_disc(mission.start_world, config.vehicle.body_radius_m);
+    return;
+  }
+  std::vector<Vec2> corners_world;
+  place_corners(footprint.corners_body, mission.start_world, mission.start_heading, corners_world);
+  free.mark_convex(corners_world);
 }
 
 // What turns round on the spot before it drives stands for its sake.
@@ -118,7 +139,8 @@ Navigator::Navigator(const NavigatorConfig& config, const PlannerCatalog& planne
       braking_{config.vehicle.velocity_gain_1_s, config.vehicle.deceleration_m_s2,
                config.vehicle.planning_clearance_m},
       governor_(governor_of(config)) {
-  if (governor_) free_space_.mark_disc(config.mission.start_world, config.vehicle.body_radius_m);
+  asks_for_fit_ = config.vehicle.planned_smaller();
+  if (governor_) mark_start(config, free_space_);
 }
 
 Setpoint Navigator::update(const Scan& scan, const VehicleState& state, double now_s) {
@@ -152,10 +174,28 @@ void Navigator::plan(const VehicleState& state, double now_s) {
   report_.replan = replan_policy_.reason(tracker_, problem_.geometry(), p, now_s);
   if (report_.replan == ReplanReason::none) return;
 
-  Plan plan = ask_from(p);
+  Plan plan = plan_that_fits();
   report_.solve_end = plan.end;
   report_.planner_mode = plan.mode;
   adopt(std::move(plan));
+}
+
+// What is planned as a smaller disc than holds it may not get along every path. Where it would
+// touch what is known, planners get a virtual obstacle and are asked again.
+Plan Navigator::plan_that_fits() {
+  const Vec2& p = belief_.pose_world.p_world;
+  Plan plan = ask_from(p);
+  for (int tries = 0; asks_for_fit_ && tries < kTriesToFit && !plan.path.empty(); ++tries) {
+    const auto misfit = first_misfit(config_.vehicle.footprint, plan.path, map_.snapshot());
+    // Where it stands, the governor decides alone.
+    const double away_m = misfit ? (*misfit - plan.path.front()).norm() : 0;
+    if (away_m < config_.vehicle.body_radius_m) break;
+    virtual_obstacles_.add(*misfit);
+    belief_.obstacles = virtual_obstacles_.over(map_.snapshot());
+    problem_.update(belief_, p);
+    plan = ask_from(p);
+  }
+  return plan;
 }
 
 bool Navigator::depart(const VehicleState& state, double now_s) {
@@ -166,13 +206,20 @@ bool Navigator::depart(const VehicleState& state, double now_s) {
     if (!risen) return false;
     if (config_.navigation.look_around) look_around_.begin(state.heading_world());
   }
-  look_around_.advance(state.heading_world());
+  look_around(state);
   if (look_around_.active()) {
     report_.executive = ExecutiveState::looking_around;
     return false;
   }
   report_.departed_s = now_s;
   return true;
+}
+
+void Navigator::look_around(const VehicleState& state) {
+  const bool refused = sweeps_by_turning() && report_.executive == ExecutiveState::looking_around &&
+                       report_.speed_scale == 0;
+  if (refused) look_around_.give_up();
+  look_around_.advance(state.heading_world());
 }
 
 void Navigator::follow_trail(const Vec2& p_world) {

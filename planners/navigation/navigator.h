@@ -74,6 +74,8 @@ class Navigator {
   Plan ask_from(const Vec2& start_world);
   void adopt(Plan plan);
   void judge_infeasible();
+  void look_around(const VehicleState& state);
+  Plan plan_that_fits();
   void retrace();
   void follow(Path path, PathEnd end);
   void note_arrival(const VehicleState& state);
@@ -86,12 +88,14 @@ class Navigator {
   std::optional<Vec2> nearest_within_clearance(const Vec2& p_world) const;
   std::optional<Vec2> unknown_that_holds_back(const VehicleState& state) const;
   std::optional<Vec2> unknown_to_look_at(const VehicleState& state);
+  double clearance_of_corners_m() const;
   bool is_on_surface(const Vec2& unknown_world) const;
 
   // steering: navigator_steering.cpp
   LookaheadPoint lookahead(const VehicleState& state, double now_s, Setpoint& setpoint);
   double lookahead_clearance_m(const Vec2& p_world) const;
   bool governs_wheels() const;
+  bool sweeps_by_turning() const { return governor_ && governor_->sweeps_by_turning(); }
   bool governs_turning_wheels() const;
   double kept_from_known_m() const;
   void leave_what_it_touches(WantedMotion& wanted, const VehicleState& state, KnownClearance kept);
@@ -124,10 +128,12 @@ class Navigator {
   double back_off_until_s_ = 0;
   std::optional<Vec2> back_off_from_;
   double reduced_clearance_until_s_ = 0;
-  std::optional<Vec2> refused_at_;  // by the governor, at the latest scan
-  std::optional<Vec2> looks_at_;    // on wheels: an unknown place that it turns to
-  bool leaves_ = false;             // on wheels: what its tube touches as it stands
-  std::vector<Vec2> touched_;       // scratch: places of that
+  std::optional<Vec2> refused_at_;       // by the governor, at the latest scan
+  Vec2 paces_at_ = Vec2::Constant(1e9);  // it has not got away from there since
+  double paces_since_s_ = 0;
+  std::optional<Vec2> looks_at_;  // on wheels: an unknown place that it turns to
+  bool asks_for_fit_ = false;     // of paths: holds the footprint against known points along them
+  bool leaves_ = false;           // on wheels: what its tube touches as it stands
   NavigationReport report_;
   NavigationObserver* observer_ = nullptr;
 };

@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 
+#include "voronaut/dynamics/footprint.h"
 #include "voronaut/dynamics/limits.h"
 #include "voronaut/dynamics/motion_response.h"
 #include "voronaut/dynamics/speed_profile.h"
@@ -42,7 +43,8 @@ enum class Steering {
 
 // What navigation must know of a vehicle under its regulator.
 struct VehicleFacts {
-  double body_radius_m = 0.25;         // upright cylinder about the centre of mass
+  double body_radius_m = 0.25;  // upright cylinder about the centre of mass that holds the body
+  Footprint footprint = {};     // what of it the body is; without corners all of it
   double planning_clearance_m = 0.40;  // planning: centre of mass to obstacle
   Steering steering = Steering::any_direction;
   MotionLimits limits;
@@ -54,6 +56,11 @@ struct VehicleFacts {
   // How its motion answers a command: velocities where it moves in any direction, arcs where it
   // drives along its heading. The safety governor needs it and nothing else does.
   std::optional<MotionResponse> motion_response;
+
+  // Planned as a disc that does not hold it.
+  bool planned_smaller() const {
+    return footprint.planned_radius_m > 0 && footprint.planned_radius_m < body_radius_m;
+  }
 };
 
 struct RangeFinderFacts {

@@ -11,21 +11,30 @@ namespace {
 // Shares of half the field of view.
 constexpr double kOutOfView = 0.9;
 constexpr double kWellInView = 0.6;
+// A polygon that comes no farther than this in that time goes to and fro before a corner.
+constexpr double kPace_m = 0.1;
+constexpr double kPacing_s = 2;
 
 }  // namespace
 
-// The known point that is closer to p than planners plan.
+// The known point that is closer to p than planners plan, or that the corners of what is planned
+// smaller come as close to as planners let its sides.
 std::optional<Vec2> Navigator::nearest_obstacle_within_clearance(const Vec2& p_world) const {
   const ObstacleSnapshot known = map_.snapshot();
-  const auto nearest = known.nearest(p_world, config_.vehicle.planning_clearance_m);
+  const auto nearest = known.nearest(p_world, clearance_of_corners_m());
   return nearest ? std::optional(known.points()[*nearest]) : std::nullopt;
 }
 
 // An unknown place as close as that, for which the governor refused.
 std::optional<Vec2> Navigator::nearest_unknown_within_clearance(const Vec2& p_world) const {
-  const bool near =
-      refused_at_ && (*refused_at_ - p_world).norm() < config_.vehicle.planning_clearance_m;
+  const bool near = refused_at_ && (*refused_at_ - p_world).norm() < clearance_of_corners_m();
   return near ? refused_at_ : std::nullopt;
+}
+
+double Navigator::clearance_of_corners_m() const {
+  const VehicleFacts& vehicle = config_.vehicle;
+  if (!vehicle.planned_smaller()) return vehicle.planning_clearance_m;
+  return vehicle.planning_clearance_m + vehicle.body_radius_m - vehicle.footprint.planned_radius_m;
 }
 
 std::optional<Vec2> Navigator::nearest_within_clearance(const Vec2& p_world) const {
@@ -41,10 +50,11 @@ std::optional<Vec2> Navigator::unknown_that_holds_back(const VehicleState& state
 }
 
 // What moves in any direction looks there as it goes. What drives along its heading turns to the
-// place first if it is out of view, on the spot, until it has it well in view.
+// place first if it is out of view, on the spot, until it has it well in view; not if it may lack
+// the room for that.
 std::optional<Vec2> Navigator::unknown_to_look_at(const VehicleState& state) {
   const auto held_back_by = unknown_that_holds_back(state);
-  if (!governs_wheels()) return held_back_by;
+  if (!governs_wheels() || sweeps_by_turning()) return held_back_by;
   const auto off_view = [&](const Vec2& place, double share) {
     const Vec2 way = place - state.p_world.head<2>();
     if (way.norm() == 0) return false;
@@ -68,17 +78,22 @@ bool Navigator::is_on_surface(const Vec2& unknown_world) const {
 
 void Navigator::recover(const VehicleState& state, double now_s) {
   const bool was_looking = look_around_.active();
-  look_around_.advance(state.heading_world());
+  look_around(state);
   if (was_looking && !look_around_.active()) tracker_.drop();  // plan anew with what was seen
   if (was_looking || now_s < back_off_until_s_ || arrived_) {
     recovery_.resume();
     return;
   }
   const Vec2 p = state.p_world.head<2>();
+  if ((p - paces_at_).norm() > kPace_m) {
+    paces_at_ = p;
+    paces_since_s_ = now_s;
+  }
+  const bool paces = sweeps_by_turning() && now_s - paces_since_s_ > kPacing_s;
   const MissionProgress progress{
       .now_s = now_s,
       .p_world = p,
-      .speed_m_s = state.v_world.head<2>().norm(),
+      .speed_m_s = paces ? 0 : state.v_world.head<2>().norm(),
       .wants_to_move = tracker_.has_path(),
       .obstacle_within_clearance = nearest_obstacle_within_clearance(p).has_value(),
       .unknown_within_clearance = nearest_unknown_within_clearance(p).has_value(),
@@ -103,6 +118,7 @@ void Navigator::act(RecoveryAction action, const VehicleState& state, double now
       return;
     case RecoveryAction::drop_virtual_obstacles:
       virtual_obstacles_.clear();
+      asks_for_fit_ = false;
       break;
     case RecoveryAction::add_virtual_obstacle:
       if (!refused_at_) break;

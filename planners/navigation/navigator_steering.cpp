@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <utility>
 
@@ -146,18 +145,16 @@ void Navigator::leave_what_it_touches(WantedMotion& wanted, const VehicleState& 
       before != nullptr && (held_back || before->v_m_s == 0) && speed_m_s < kStandsStill_m_s;
   if (!leaves && !stands) return;
   const Vec2 p = state.p_world.head<2>();
-  const std::array here{p, p};
   const double near_m = leaves ? kLeft_m : kTouched_m;
-  const double tube_m = config_.vehicle.body_radius_m + governor_->room_to_bounds_m(state);
-  free_space_.unknown_cells_in_tube(here, tube_m + near_m, touched_);
+  std::optional<Vec2> known_point;
   if (kept == KnownClearance::planned) {
     const ObstacleSnapshot known = map_.snapshot();
     if (const auto nearest = known.nearest(p, kept_from_known_m() + near_m))
-      touched_.push_back(known.points()[*nearest]);
+      known_point = known.points()[*nearest];
   }
-  if (touched_.empty()) return;
   const double wanted_m_s = wanted.v_world.norm();
-  const auto away = departing_direction(wanted.v_world / wanted_m_s, p, touched_);
+  const auto away =
+      governor_->way_out(wanted.v_world / wanted_m_s, state, near_m, free_space_, known_point);
   if (!away) return;
   leaves_ = true;
   wanted.v_world = wanted_m_s * *away;

@@ -1,6 +1,7 @@
 #include "voronaut/planners/navigation/safety_governor.h"
 
 #include <algorithm>
+#include <array>
 #include <limits>
 
 #include "voronaut/planners/navigation/departure.h"
@@ -13,6 +14,11 @@ constexpr double kSample_s = 0.05;
 // What is too close already may stay as close as it is, up to rounding.
 constexpr double kRounding_m = 1e-6;
 
+// Whether the body is a polygon whose heading is part of what is predicted.
+bool turns_as_predicted(const MotionResponse& response, const Footprint& footprint) {
+  return !footprint.is_disc() && !std::holds_alternative<VelocityResponse>(response);
+}
+
 }  // namespace
 
 const Bounds SafetyGovernor::kEverywhere{Vec2::Constant(-std::numeric_limits<double>::infinity()),
@@ -20,9 +26,12 @@ const Bounds SafetyGovernor::kEverywhere{Vec2::Constant(-std::numeric_limits<dou
 
 SafetyGovernor::SafetyGovernor(const MotionResponse& response, double body_radius_m,
                                double planning_clearance_m, double hold_s,
-                               const Bounds& centre_bounds_world, const DeclaredErrors& errors)
-    : ladder_(ladder_of(response)),
+                               const Bounds& centre_bounds_world, const Footprint& footprint,
+                               const DeclaredErrors& errors)
+    : ladder_(ladder_of(response, turns_as_predicted(response, footprint))),
       tube_(body_radius_m, centre_bounds_world),
+      sweep_(turns_as_predicted(response, footprint) ? std::optional<FootprintSweep>(footprint)
+                                                     : std::nullopt),
       errors_(errors),
       keep_from_known_m_(planning_clearance_m - kKnownMargin_m),
       hold_s_(hold_s) {}
@@ -47,8 +56,7 @@ const GovernedMotion& SafetyGovernor::allow(const WantedMotion& wanted, const Ve
   if (ladder_->leads_on() || (allowed_.refused_at && free.is_free(*allowed_.refused_at)))
     allowed_.refused_at.reset();
   if (ladder_->leads_on() && level_ < top && ladder_->speed_m_s() <= kDepartureSpeed_m_s) {
-    allowed_.refused_at =
-        free.first_unknown_in_tube(refused_corners_, tube_.radius_m(refused_stop_));
+    allowed_.refused_at = unknown_refused(free);
   }
   allowed_.command = ladder_->command(level_);
   allowed_.v_world = level_ > 0 ? safe_stop_.v_command_world : Vec2(0, 0);
@@ -58,30 +66,49 @@ const GovernedMotion& SafetyGovernor::allow(const WantedMotion& wanted, const Ve
   return allowed_;
 }
 
-// The stop that this level leads to, its track into corners_. It begins where the vehicle is told
-// to be, and leads where it is told to look.
-PredictedStop SafetyGovernor::predict(std::size_t level) {
-  PredictedStop stop = ladder_->predict(level, hold_s_, kSample_s, track_);
-  StopTube::straighten(track_, corners_);
-  double way_m = 0;
-  for (std::size_t i = 0; i + 1 < corners_.size(); ++i)
-    way_m += (corners_[i + 1] - corners_[i]).norm();
-  stop.stray_m += errors_.sensing.position_m + errors_.sensing.heading_rad * way_m +
-                  errors_.stop_per_speed_s * stop.fastest_m_s;
-  return stop;
+std::optional<Vec2> SafetyGovernor::unknown_refused(const FreeSpace& free) {
+  if (sweep_) return sweep_->first_unknown(refused_stop_, refused_track_, refused_headings_, free);
+  return free.first_unknown_in_tube(refused_corners_, tube_.radius_m(refused_stop_));
 }
 
-// A slower command sweeps less, so levels are safe up to one of them. That is most often the level
-// of the call before or next to it: looked for there first, then by bisection.
+std::optional<Vec2> SafetyGovernor::way_out(const Vec2& towards, const VehicleState& state,
+                                            double near_m, const FreeSpace& free,
+                                            const std::optional<Vec2>& known_point) {
+  const Vec2 p = state.p_world.head<2>();
+  if (sweep_) {
+    const double room_m = ladder_->stray_m(state) + near_m;
+    return sweep_->way_out(towards, p, state.heading_world(), room_m, free);
+  }
+  const std::array here{p, p};
+  const double tube_m = tube_.body_radius_m() + room_to_bounds_m(state);
+  free.unknown_cells_in_tube(here, tube_m + near_m, touched_);
+  if (known_point) touched_.push_back(*known_point);
+  if (touched_.empty()) return std::nullopt;
+  return departing_direction(towards, p, touched_);
+}
+
 std::size_t SafetyGovernor::safe_level(const FreeSpace& free, const ObstacleSnapshot& known,
                                        double keep_m) {
   const std::size_t top = ladder_->top();
-  std::size_t safe = 0, unsafe = top + 1;
-  std::size_t level = std::min(level_ + 1, top);
+  const std::size_t turns = sweep_ && ladder_->leads_on() ? ladder_->turn_levels() : 0;
+  std::size_t safe = safe_level_between(turns, top, free, known, keep_m);
+  if (safe == turns && turns > 0) safe = safe_level_between(0, turns, free, known, keep_m);
+  corners_.swap(safe_corners_);
+  return safe;
+}
+
+// The highest of the levels above `low` that is safe, up to `high`; `low` if none is.
+// A slower command sweeps less, so levels are safe up to one of them. That is most often the level
+// of the call before or next to it: looked for there first, then by bisection.
+std::size_t SafetyGovernor::safe_level_between(std::size_t low, std::size_t high,
+                                               const FreeSpace& free, const ObstacleSnapshot& known,
+                                               double keep_m) {
+  std::size_t safe = low, unsafe = high + 1;
+  std::size_t level = std::clamp(level_ + 1, low + 1, high);
   bool near = true;
   while (unsafe - safe > 1) {
     const PredictedStop stop = predict(level);
-    if (tube_.is_safe(stop, corners_, free, known, keep_m)) {
+    if (tube_.keeps_clear(stop, corners_, known, keep_m) && is_free(stop, free)) {
       safe = level;
       safe_stop_ = stop;
       safe_corners_.swap(corners_);
@@ -89,15 +116,36 @@ std::size_t SafetyGovernor::safe_level(const FreeSpace& free, const ObstacleSnap
       unsafe = level;
       refused_stop_ = stop;
       refused_corners_.swap(corners_);
+      refused_track_.swap(track_);
+      refused_headings_.swap(headings_);
     }
-    if (near && unsafe == level && level > 1)
+    if (near && unsafe == level && level > low + 1)
       --level;
     else
       level = (safe + unsafe) / 2;
     near = false;
   }
-  corners_.swap(safe_corners_);
   return safe;
+}
+
+bool SafetyGovernor::is_free(const PredictedStop& stop, const FreeSpace& free) {
+  return sweep_ ? sweep_->is_safe(stop, track_, headings_, free)
+                : tube_.is_free(stop, corners_, free);
+}
+
+// The stop that this level leads to, its track into corners_. It begins where the vehicle is told
+// to be, and leads where it is told to look.
+PredictedStop SafetyGovernor::predict(std::size_t level) {
+  PredictedStop stop =
+      sweep_ ? ladder_->predict(level, hold_s_, FootprintSweep::kSample_s, track_, &headings_)
+             : ladder_->predict(level, hold_s_, kSample_s, track_);
+  StopTube::straighten(track_, corners_);
+  double way_m = sweep_ ? tube_.body_radius_m() : 0;  // of what a wrong heading moves aside
+  for (std::size_t i = 0; i + 1 < corners_.size(); ++i)
+    way_m += (corners_[i + 1] - corners_[i]).norm();
+  stop.stray_m += errors_.sensing.position_m + errors_.sensing.heading_rad * way_m +
+                  errors_.stop_per_speed_s * stop.fastest_m_s;
+  return stop;
 }
 
 }  // namespace voronaut

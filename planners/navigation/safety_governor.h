@@ -9,6 +9,7 @@
 #include "voronaut/planners/mapping/obstacle_snapshot.h"
 #include "voronaut/planners/navigation/command_ladder.h"
 #include "voronaut/planners/navigation/declared_errors.h"
+#include "voronaut/planners/navigation/footprint_sweep.h"
 #include "voronaut/planners/navigation/stop_tube.h"
 
 namespace voronaut {
@@ -31,9 +32,11 @@ struct GovernedMotion {
 };
 
 // Lets no planner crash. A command, a velocity for what moves in every direction or an arc for what
-// drives along its heading, is allowed for one period only if the disc that the body sweeps while
-// it holds the command and then brakes to rest lies in space that beams have proved free (and away
-// from known points as far as below); else less speed of the same kind, else braking.
+// drives along its heading, is allowed for one period only if what the body sweeps while it holds
+// the command and then brakes to rest lies in space that beams have proved free (and away from
+// known points as far as below); else less speed of the same kind, else braking. A body is a disc,
+// or a polygon turned as predicted; one that moves in every direction is swept as the disc that
+// holds it, as its heading is nobody's to predict.
 //
 // Invariant: at every call the track of braking from the present state lies in known-free space. It
 // holds at rest in free space, and each command allowed or braked keeps it, for then the rest of a
@@ -67,10 +70,18 @@ class SafetyGovernor {
   // `centre_bounds_world`: where the centre may be.
   SafetyGovernor(const MotionResponse& response, double body_radius_m, double planning_clearance_m,
                  double hold_s, const Bounds& centre_bounds_world = kEverywhere,
-                 const DeclaredErrors& errors = {});
+                 const Footprint& footprint = {}, const DeclaredErrors& errors = {});
 
   // What a track at the present speed keeps from the bounds.
   double room_to_bounds_m(const VehicleState& state) const;
+
+  // The direction (unit vector) nearest to `towards` in which the body, as it stands, leaves all
+  // cells that are not known free and come within what a stop may stray and near_m of it, and a
+  // known point, if there is one as close; none: it is near to nothing, or that lies all around.
+  std::optional<Vec2> way_out(const Vec2& towards, const VehicleState& state, double near_m,
+                              const FreeSpace& free, const std::optional<Vec2>& known_point);
+  // Turning on the spot, too, takes known-free space.
+  bool sweeps_by_turning() const { return sweep_.has_value(); }
 
   // The fastest of a few commands towards what is wanted that is safe from `state` on. The slowest
   // is braking, which is always allowed. O(time to rest), a few thousand instructions for each
@@ -81,16 +92,23 @@ class SafetyGovernor {
 
  private:
   std::size_t safe_level(const FreeSpace& free, const ObstacleSnapshot& known, double keep_m);
-
+  std::size_t safe_level_between(std::size_t low, std::size_t high, const FreeSpace& free,
+                                 const ObstacleSnapshot& known, double keep_m);
   PredictedStop predict(std::size_t level);
+  bool is_free(const PredictedStop& stop, const FreeSpace& free);
+  std::optional<Vec2> unknown_refused(const FreeSpace& free);
+
 
   std::unique_ptr<CommandLadder> ladder_;
   StopTube tube_;
+  std::optional<FootprintSweep> sweep_;  // of what is no disc, instead of the tube
   DeclaredErrors errors_;
   double keep_from_known_m_;
   double hold_s_;
   GovernedMotion allowed_;
-  std::vector<Vec2> track_;            // as predicted
+  std::vector<Vec2> touched_;           // scratch
+  std::vector<Vec2> track_, headings_;  // as predicted
+  std::vector<Vec2> refused_track_, refused_headings_;
   std::vector<Vec2> corners_;          // its corners
   std::vector<Vec2> safe_corners_;     // of the fastest command found safe
   std::vector<Vec2> refused_corners_;  // of the slowest found unsafe

@@ -7,12 +7,17 @@
 
 namespace voronaut {
 
-bool StopTube::is_safe(const PredictedStop& stop, const std::vector<Vec2>& corners,
-                       const FreeSpace& free, const ObstacleSnapshot& known, double keep_m) {
+bool StopTube::keeps_clear(const PredictedStop& stop, const std::vector<Vec2>& corners,
+                           const ObstacleSnapshot& known, double keep_m) {
   if (!keeps_to_bounds(stop, corners)) return false;
   for (std::size_t i = 0; i + 1 < corners.size(); ++i) {
     if (!known.swept_disc_is_clear(corners[i], corners[i + 1], keep_m)) return false;
   }
+  return true;
+}
+
+bool StopTube::is_free(const PredictedStop& stop, const std::vector<Vec2>& corners,
+                       const FreeSpace& free) {
   const double tube_m = radius_m(stop);
   for (std::size_t i = 0; i + 1 < corners.size(); ++i) {
     if (!free.swept_disc_is_free(corners[i], corners[i + 1], tube_m))

@@ -19,15 +19,19 @@ class StopTube {
   StopTube(double body_radius_m, const Bounds& centre_bounds_world)
       : body_radius_m_(body_radius_m), centre_bounds_world_(centre_bounds_world) {}
 
+  double body_radius_m() const { return body_radius_m_; }
   double radius_m(const PredictedStop& stop) const {
     return body_radius_m_ + stop.stray_m + kStraight_m;
   }
 
-  // Whether the tube lies in known-free space and the bounds (or a slow command leads away from
-  // what it touches, departure.h) and the track keeps keep_m from known points. `corners`: the
-  // track as a chain of straight segments, straighten()'s. O(segments).
-  bool is_safe(const PredictedStop& stop, const std::vector<Vec2>& corners, const FreeSpace& free,
-               const ObstacleSnapshot& known, double keep_m);
+  // Whether the track stays in the bounds (or a slow command leads away from where it does not) and
+  // keeps keep_m from known points. `corners`: the track as a chain of straight segments,
+  // straighten()'s. O(segments).
+  bool keeps_clear(const PredictedStop& stop, const std::vector<Vec2>& corners,
+                   const ObstacleSnapshot& known, double keep_m);
+  // Whether the tube lies in known-free space, or a slow command leads away from what it touches
+  // (departure.h). O(segments).
+  bool is_free(const PredictedStop& stop, const std::vector<Vec2>& corners, const FreeSpace& free);
 
   // The corners of a chain of straight segments that passes every sample within kStraight_m.
   static void straighten(const std::vector<Vec2>& track, std::vector<Vec2>& corners);

@@ -33,7 +33,7 @@ MotionCommand VelocityLadder::command(std::size_t level) const {
 }
 
 PredictedStop VelocityLadder::predict(std::size_t level, double hold_s, double sample_s,
-                                      std::vector<Vec2>& track) const {
+                                      std::vector<Vec2>& track, std::vector<Vec2>*) const {
   const Vec2 command = v_command(level);
   response_.predict_stop(now_, v_before_, command, hold_s, sample_s, track);
   return {command, std::max(command.norm(), now_.v_m_s.norm()),

@@ -19,7 +19,8 @@ constexpr std::array<const char*, 8> kColours{"#0072b2", "#d55e00", "#007a5a", "
 constexpr std::array<const char*, 8> kDashes{"",     "7 3", "2 3", "9 3 2 3",
                                              "12 4", "4 2", "1 2", "6 2 2 2 2 2"};
 constexpr double kWidthMin = 320;  // px: room for the legend
-constexpr double kGap = 18;        // px between panels, and around them
+constexpr double kSmallestBody_px = 2;
+constexpr double kGap = 18;  // px between panels, and around them
 
 // Two decimals are a hundredth of a pixel; no locale, no "-0.00".
 std::string px(double value) {
@@ -142,6 +143,19 @@ class Figure {
     body_ += "\"/>\n";
   }
 
+  // The disc, or the polygon as it is turned.
+  std::string body(const View& view, const Trace& trace, const TraceFrame& at) const {
+    const double radius_px = trace.body_radius_m * view.scale;
+    if (trace.footprint.empty() || radius_px < kSmallestBody_px)
+      return "<circle cx=\"" + px(view.x(at.x_m)) + "\" cy=\"" + px(view.y(at.y_m)) + "\" r=\"" +
+             px(std::max(kSmallestBody_px, radius_px)) + "\"";
+    std::vector<TracePoint> corners;
+    for (const auto& [ahead_m, left_m] : trace.footprint)
+      corners.push_back({at.x_m + ahead_m * at.heading_x - left_m * at.heading_y,
+                         at.y_m + ahead_m * at.heading_y + left_m * at.heading_x});
+    return "<path d=\"" + path(view, corners, true) + "\"";
+  }
+
   void track(const View& view, const FigureTrack& track) {
     const Style style = style_of(track.label);
     body_ += "<path " + style.stroke + " d=\"" + path(view, track.trace.frames, false) + "\"/>\n";
@@ -149,9 +163,8 @@ class Figure {
       return;
     }
     const TraceFrame& end = track.trace.frames.back();
-    body_ += "<circle cx=\"" + px(view.x(end.x_m)) + "\" cy=\"" + px(view.y(end.y_m)) + "\" r=\"" +
-             px(std::max(2.0, track.trace.body_radius_m * view.scale)) + "\" fill=\"" +
-             style.colour + "\" fill-opacity=\"0.2\" stroke=\"" + style.colour + "\"/>\n";
+    body_ += body(view, track.trace, end) + " fill=\"" + style.colour +
+             "\" fill-opacity=\"0.2\" stroke=\"" + style.colour + "\"/>\n";
     text(view.x(end.x_m), view.y(end.y_m) + 0.55 * config_.font_size_px,
          std::string(entry_of(track.outcome).failure ? entry_of(track.outcome).sign : ""),
          "text-anchor=\"middle\" font-weight=\"700\" font-size=\"" +

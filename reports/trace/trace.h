@@ -73,6 +73,7 @@ struct Trace {
   std::string trial_id;
   bool static_planning = false;  // nobody flew, the frames walk along the path at 1 m/s
   double body_radius_m = 0;
+  std::vector<TracePoint> footprint;  // corners in the body's frame (x forward); empty: the disc
   double clearance_min_m = 0;
   double field_of_view_rad = 0;
   double max_range_m = 0;

@@ -153,6 +153,7 @@ std::string trace_to_json(const Trace& trace) {
   out["version"] = kVersion;
   out["trial_id"] = trace.trial_id;
   out["body_radius_m"] = trace.body_radius_m;
+  if (!trace.footprint.empty()) out["footprint"] = points_to_json(trace.footprint, kPerMetre);
   out["clearance_min_m"] = trace.clearance_min_m;
   out["field_of_view_rad"] = trace.field_of_view_rad;
   out["max_range_m"] = trace.max_range_m;
@@ -183,6 +184,7 @@ Trace trace_from_json(std::string_view text) {
     Trace trace;
     in.at("trial_id").get_to(trace.trial_id);
     in.at("body_radius_m").get_to(trace.body_radius_m);
+    if (in.contains("footprint")) trace.footprint = points_from_json(in.at("footprint"), kPerMetre);
     in.at("clearance_min_m").get_to(trace.clearance_min_m);
     in.at("field_of_view_rad").get_to(trace.field_of_view_rad);
     in.at("max_range_m").get_to(trace.max_range_m);

@@ -13,7 +13,8 @@
 // reads back as max_range_m.
 //
 // Layout (version 4):
-//   {"version":4, "trial_id":..., "body_radius_m":..., "clearance_min_m":...,
+//   {"version":4, "trial_id":..., "body_radius_m":..., ["footprint":[dx,dy,...],]
+//    "clearance_min_m":...,
 //    "field_of_view_rad":..., "max_range_m":..., "modes":[...], "replan_reasons":[...],
 //    "solve_ends":[...], "plans":[[dx,dy,...],...], "known_points":[dx,dy,...], "cluster_of":[...],
 //    "merges":[frame,from,into,...], "hulls":[[dx,dy,...],...], "searches":n, "kept_searches":n,

@@ -57,6 +57,19 @@ TEST(StepResponse, IsThatOfAnIndependentSimulation) {
   }
 }
 
+TEST(StepResponse, AnswersForEveryVehicleThatShips) {
+  for (const std::string& name : vehicle_names()) {
+    const VehicleSpec vehicle = find_vehicle(name);
+    const StepAnswer answer = step_answer(vehicle, find_regulator(vehicle.regulator), kPeriod_s);
+    EXPECT_GT(answer.settling_s, kAnswerStep_m / vehicle.limits.max_speed_m_s) << name;
+    EXPECT_LT(answer.settling_s, 12) << name;
+    EXPECT_GE(answer.overshoot_m, 0) << name;
+    EXPECT_LT(answer.overshoot_m, 0.1) << name;
+    EXPECT_GT(answer.stopping_distance_m, 0) << name;
+    EXPECT_LT(answer.stopping_distance_m, 2) << name;
+  }
+}
+
 TEST(StepResponse, HasNoNumbersForWhatTipsOver) {
   const VehicleSpec vehicle = find_vehicle("quadrotor");
   const RegulatorConfig literal = find_regulator("paper_literal");

@@ -135,4 +135,54 @@ bool FreeSpace::swept_disc_is_free(const Vec2& a_world, const Vec2& b_world,
   return true;
 }
 
+bool FreeSpace::convex_is_free(std::span<const Vec2> corners_world, double grown_m) const {
+  const double radius = grown_m / cell_m_;
+  Vec2 low = to_cells(corners_world.front()), high = low;
+  for (const Vec2& corner : corners_world) {
+    low = low.cwiseMin(to_cells(corner));
+    high = high.cwiseMax(to_cells(corner));
+  }
+  if (box_is_free(low, high, radius)) return true;
+  const std::size_t n = corners_world.size();
+  for (int row = floor_of(low.y() - radius); row <= floor_of(high.y() + radius); ++row) {
+    RowExtent extent;
+    for (std::size_t i = 0; i < n; ++i) {
+      const Vec2 a = to_cells(corners_world[i]), b = to_cells(corners_world[(i + 1) % n]);
+      const Vec2 along = b - a;
+      const double length = along.norm();
+      const Vec2 outwards = length > 0 ? Vec2(left_of(along) * (-radius / length)) : Vec2(0, 0);
+      extent.add_disc(row, a, radius);
+      extent.add_edge(row, SlantedEdge(a + outwards, b + outwards));
+    }
+    if (extent.from <= extent.to && !row_is_free(row, extent.from, extent.to)) return false;
+  }
+  return true;
+}
+
+// A cell lies within a convex polygon if its corners do.
+void FreeSpace::mark_convex(std::span<const Vec2> corners_world) {
+  Vec2 low = to_cells(corners_world.front()), high = low;
+  for (const Vec2& corner : corners_world) {
+    low = low.cwiseMin(to_cells(corner));
+    high = high.cwiseMax(to_cells(corner));
+  }
+  const auto holds = [&](const Vec2& cell) {
+    for (std::size_t i = 0; i < corners_world.size(); ++i) {
+      const Vec2 a = to_cells(corners_world[i]);
+      const Vec2 along = to_cells(corners_world[(i + 1) % corners_world.size()]) - a;
+      if (cross(along, cell - a) < 0) return false;
+    }
+    return true;
+  };
+  for (int row = std::max(0, ceil_of(low.y())); row < std::min<double>(rows_, high.y()); ++row) {
+    for (int column = std::max(0, ceil_of(low.x())); column < std::min<double>(columns_, high.x());
+         ++column) {
+      const Vec2 cell(column, row);
+      if (holds(cell) && holds(cell + Vec2(1, 0)) && holds(cell + Vec2(0, 1)) &&
+          holds(cell + Vec2(1, 1)))
+        free_.set(row, column, column);
+    }
+  }
+}
+
 }  // namespace voronaut

@@ -39,10 +39,16 @@ class FreeSpace {
   // What lies wholly within this disc is free: the body stands there at the start.
   void mark_disc(const Vec2& p_world, double radius_m);
 
+  // The same of a convex polygon, counter-clockwise.
+  void mark_convex(std::span<const Vec2> corners_world);
+
   bool is_free(const Vec2& p_world) const;
   // True if every cell that the disc of radius_m, swept from a to b, touches is known free.
   // O(rows it touches).
   bool swept_disc_is_free(const Vec2& a, const Vec2& b, double radius_m) const;
+  // The same of a convex polygon (corners in world axes, counter-clockwise) grown by grown_m >= 0.
+  // O(rows x corners).
+  bool convex_is_free(std::span<const Vec2> corners_world, double grown_m) const;
   // The middle of the first cell, along a chain of straight pieces, that the disc swept along it
   // touches and that is not known free; empty if there is none. Looks at places a cell apart.
   std::optional<Vec2> first_unknown_in_tube(std::span<const Vec2> corners, double radius_m) const;
@@ -52,6 +58,10 @@ class FreeSpace {
   // the tube's bounding box x corners): for short tubes.
   void unknown_cells_in_tube(std::span<const Vec2> corners, double radius_m,
                              std::vector<Vec2>& middles) const;
+
+  // The same of a convex polygon grown by radius_m, in any order. O(cells of its box x corners).
+  void unknown_cells_in_convex(std::span<const Vec2> corners_world, double grown_m,
+                               std::vector<Vec2>& middles) const;
 
   double cell_m() const { return cell_m_; }
   double cell_radius_m() const { return 0.70711 * cell_m_; }  // of the circumscribed disc

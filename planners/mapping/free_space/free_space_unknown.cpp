@@ -1,5 +1,6 @@
 #include <cmath>
 
+#include "voronaut/environments/shapes/convex_distance.h"
 #include "voronaut/planners/mapping/free_space/free_space.h"
 
 // What is not known free around a tube: asked only once a course has been refused.
@@ -58,6 +59,25 @@ void FreeSpace::unknown_cells_in_tube(std::span<const Vec2> corners, double radi
       for (std::size_t i = 0; i + 1 < corners.size() && !near; ++i)
         near = distance(middle, Segment{corners[i], corners[i + 1]}) <= reach_m;
       if (near) middles.push_back(middle);
+    }
+  }
+}
+
+void FreeSpace::unknown_cells_in_convex(std::span<const Vec2> corners_world, double grown_m,
+                                        std::vector<Vec2>& middles) const {
+  middles.clear();
+  const double reach_m = grown_m + cell_radius_m();
+  Vec2 low = corners_world.front(), high = low;
+  for (const Vec2& corner : corners_world) {
+    low = low.cwiseMin(corner);
+    high = high.cwiseMax(corner);
+  }
+  const Vec2 first = to_cells(low - Vec2(reach_m, reach_m)).array().floor();
+  const Vec2 last = to_cells(high + Vec2(reach_m, reach_m)).array().floor();
+  for (double row = first.y(); row <= last.y(); ++row) {
+    for (double column = first.x(); column <= last.x(); ++column) {
+      const Vec2 middle = origin_ + cell_m_ * Vec2(column + 0.5, row + 0.5);
+      if (!is_free(middle) && distance(corners_world, middle) <= reach_m) middles.push_back(middle);
     }
   }
 }

@@ -29,6 +29,7 @@ export interface Frames {
 export interface Trace {
   trial_id: string;
   body_radius_m: number;
+  footprint: Float64Array;  // x, y, ... of its corners, x forward; empty: the disc
   clearance_min_m: number;
   field_of_view_rad: number;
   max_range_m: number;
@@ -92,6 +93,7 @@ function decodeTrace(json: string): Trace {
   return {
     trial_id: raw.trial_id,
     body_radius_m: raw.body_radius_m,
+    footprint: metres(raw.footprint ?? []),
     clearance_min_m: raw.clearance_min_m,
     field_of_view_rad: raw.field_of_view_rad,
     max_range_m: raw.max_range_m,

@@ -6,6 +6,7 @@ import { failed, outcomeSign, outcomeWords } from "../data/outcomes";
 import { outcomeText } from "../elements/outcome_text";
 import { Palette } from "../elements/palette";
 import { replayLink } from "../elements/links";
+import { footprintAt } from "../replay/replay_geometry";
 import { Filter, keeps } from "../data/sample";
 import { extentOf, firstPerPlanner, Scene, scenesOf } from "../data/scene";
 import { loadTrace, Trace } from "../data/trace";
@@ -103,12 +104,15 @@ function drawTrack(root: SVGElement, trial: Trial, trace: Trace, view: View, pal
     flat[2 * i + 1] = y_m[i];
   }
   const [endX, endY] = [x_m[count - 1], y_m[count - 1]];
+  const outline = footprintAt(trace, count - 1);
   const g = svg("g", { class: palette.className(trial.planner), "data-trial": trial.trial_id },
     svg("title", {}, `${trial.planner}: ${outcomeWords(trial.outcome)}. ${trial.reason}`),
     svg("path", { class: "track", d: view.path(flat, false),
       "stroke-dasharray": palette.dash(trial.planner) }),
-    svg("circle", { class: "body", cx: view.x(endX), cy: view.y(endY),
-      r: Math.max(2, trace.body_radius_m * view.scale) }));
+    outline.length > 0 && trace.body_radius_m * view.scale > 2
+      ? svg("path", { class: "body", d: view.path(Float64Array.from(outline.flat()), true) })
+      : svg("circle", { class: "body", cx: view.x(endX), cy: view.y(endY),
+        r: Math.max(2, trace.body_radius_m * view.scale) }));
   if (failed(trial.outcome)) {
     g.append(svg("text", { class: "sign", x: view.x(endX), y: view.y(endY) + 9 },
       outcomeSign(trial.outcome)));

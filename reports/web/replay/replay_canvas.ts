@@ -2,7 +2,7 @@
 // the plan, and the way so far coloured by speed.
 import type { Trial, World } from "../data/data";
 import { failed, outcomeSign } from "../data/outcomes";
-import { hullsOf, kSpeedBins, Point, rayEnds, searchedEdges, speedRamp } from "./replay_geometry";
+import { bodyWidth_m, footprintAt, hullsOf, kSpeedBins, Point, rayEnds, searchedEdges, speedRamp } from "./replay_geometry";
 import { Layers } from "./replay_layers";
 import { Trace } from "../data/trace";
 
@@ -189,13 +189,13 @@ export class Painter {
     context.stroke();
   }
 
-  // The body swept along the governor's track: a disc's width around its corners.
+  // The body swept along the governor's track: its width around the track's corners.
   private paintTube(k: number, ink: Ink): void {
     const { context, trace } = this;
     const track = this.flat(trace.frames.tube[k]);
     if (track.length === 0) return;
     context.strokeStyle = ink.tube;
-    for (const [width, alpha] of [[2 * trace.body_radius_m, 0.28], [this.px(1.2), 1]]) {
+    for (const [width, alpha] of [[bodyWidth_m(trace), 0.28], [this.px(1.2), 1]]) {
       context.lineWidth = width;
       context.globalAlpha = alpha;
       this.polyline(track, false);
@@ -269,7 +269,9 @@ export class Painter {
     context.fillStyle = planner;
     context.strokeStyle = ink.bg;
     context.lineWidth = this.px(1.5);
-    this.disc(x, y, Math.max(trace.body_radius_m, this.px(4)));
+    const corners = footprintAt(trace, k);
+    if (corners.length > 0 && trace.body_radius_m > this.px(4)) this.polyline(corners, true);
+    else this.disc(x, y, Math.max(trace.body_radius_m, this.px(4)));
     context.fill();
     context.stroke();
     const nose = Math.max(trace.body_radius_m, this.px(4)) + this.px(7);

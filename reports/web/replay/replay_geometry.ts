@@ -30,6 +30,24 @@ export function frameAt(trace: Trace, t_s: number): number {
 
 export type Point = [number, number];
 
+// Corners of the body, turned as it is; none of a disc.
+export function footprintAt(trace: Trace, k: number): Point[] {
+  const { x_m, y_m, heading_x, heading_y } = trace.frames;
+  const corners: Point[] = [];
+  for (let i = 0; i + 1 < trace.footprint.length; i += 2) {
+    const [ahead, left] = [trace.footprint[i], trace.footprint[i + 1]];
+    corners.push([x_m[k] + ahead * heading_x[k] - left * heading_y[k],
+      y_m[k] + ahead * heading_y[k] + left * heading_x[k]]);
+  }
+  return corners;
+}
+
+// Across its heading, at its widest.
+export function bodyWidth_m(trace: Trace): number {
+  const left = trace.footprint.filter((_, i) => i % 2 === 1);
+  return left.length > 0 ? Math.max(...left) - Math.min(...left) : 2 * trace.body_radius_m;
+}
+
 function convexHull(points: Point[]): Point[] {
   const sorted = [...points].sort((a, b) => a[0] - b[0] || a[1] - b[1]);
   const half = (list: Point[]): Point[] => {

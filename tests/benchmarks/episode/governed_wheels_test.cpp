@@ -6,6 +6,7 @@
 #include "voronaut/benchmarks/episode/episode.h"
 #include "voronaut/benchmarks/runner/run_trial.h"
 #include "voronaut/benchmarks/runner/runner.h"
+#include "voronaut/benchmarks/suite/shortest_references.h"
 #include "voronaut/benchmarks/suite/suite_trials.h"
 #include "voronaut/environments/config/config_node.h"
 
@@ -110,6 +111,46 @@ TEST(GovernedWheels, DriveThroughANarrowGapWithoutTurningToAndFro) {
       all_turned_rad += turned_rad(log);
     }
     EXPECT_LE(all_turned_rad / kRepetitions, 7) << vehicle;
+  }
+}
+
+// The hull of a Jackal: 0.416 m wide, but the disc that holds it measures 0.62 m.
+std::string jackal_hull(const std::string& params, const std::string& planned = "") {
+  return "{name: jackal, params: {" + params +
+         "}, footprint: {polygon: [[0.229, 0.208], [-0.229, 0.208], [-0.229, -0.208], [0.229, "
+         "-0.208]]" +
+         planned + "}}";
+}
+const char* const kSeesItsSides =
+    "range_finder: {field_of_view_rad: 4.712388980384690, rays: 360, max_range_m: 5}\n";
+
+TEST(GovernedPolygon, PassesGapsThatTheDiscAboutItDoesNotFitThrough) {
+  const std::string narrow = "{name: g, generator: {name: narrow_gaps, gap_m: 0.58}}";
+  for (const TrialSpec& spec :
+       governed(jackal_hull("planning_clearance_m: 0.27", ", planned_radius_m: 0.21"), narrow, 6,
+                kSeesItsSides)) {
+    EXPECT_FALSE(std::isfinite(ShortestReferences::exact_length_m(spec.scenario, 0.309)));
+    const EpisodeLog log = drive(spec);
+    EXPECT_EQ(log.verdict.outcome, Outcome::goal_reached) << log.verdict.reason;
+    EXPECT_GT(log.body_clearance_smallest_m, 0.01);
+    EXPECT_LT(log.body_clearance_smallest_m, 0.2) << "0.29 m less half its width";
+  }
+}
+
+TEST(GovernedPolygon, TouchesNothingInForestsAndTraps) {
+  for (const std::string& vehicle :
+       {jackal_hull("planning_clearance_m: 0.35"),
+        jackal_hull("planning_clearance_m: 0.27", ", planned_radius_m: 0.21")}) {
+    for (const char* scenario :
+         {"{name: f, generator: {name: forest, side_m: 10, density_per_m2: 0.15}}",
+          "{name: u, generator: {name: u_trap}}"}) {
+      for (const TrialSpec& spec : governed(vehicle, scenario, 4, kSeesItsSides)) {
+        const EpisodeLog log = drive(spec);
+        EXPECT_EQ(log.verdict.outcome, Outcome::goal_reached)
+            << vehicle << " " << scenario << ": " << log.verdict.reason;
+        EXPECT_GT(log.body_clearance_smallest_m, 0);
+      }
+    }
   }
 }
 

@@ -83,6 +83,12 @@ TEST(GroundTruthCollisionChecker, SaysAlongAWayWhatItSaysOfEachPlace) {
   EXPECT_GT(changes, 100);
 }
 
+VehicleSpec body() {
+  VehicleSpec vehicle;
+  vehicle.body_radius_m = kBodyRadius_m;
+  return vehicle;
+}
+
 Scenario open_field() {
   Scenario scenario;
   scenario.name = "open";
@@ -102,7 +108,7 @@ VehicleState at(double x, double y, double z = 1) {
 
 TEST(Referee, NeedsASecondWithoutContactAfterArrival) {
   const Scenario scenario = open_field();
-  Referee referee(scenario, kBodyRadius_m, 10, {});
+  Referee referee(scenario, body(), 10, {});
   referee.judge(5.0, at(9.9, 0));
   EXPECT_FALSE(referee.verdict());
   referee.judge(5.9, at(10.5, 0));
@@ -115,7 +121,7 @@ TEST(Referee, NeedsASecondWithoutContactAfterArrival) {
 
 TEST(Referee, CallsAContactWhileBrakingACollision) {
   const Scenario scenario = open_field();
-  Referee referee(scenario, kBodyRadius_m, 10, {});
+  Referee referee(scenario, body(), 10, {});
   referee.judge(5.0, at(9.9, 0));
   referee.judge(5.5, at(5, 2.5));
   ASSERT_TRUE(referee.verdict());
@@ -124,7 +130,7 @@ TEST(Referee, CallsAContactWhileBrakingACollision) {
 
 TEST(Referee, IgnoresTheGroundBelowHalfAMetre) {
   const Scenario scenario = open_field();
-  Referee referee(scenario, kBodyRadius_m, 10, {});
+  Referee referee(scenario, body(), 10, {});
   referee.judge(1.0, at(5, 2.5, 0.49));
   EXPECT_FALSE(referee.verdict());
   referee.judge(1.01, at(5, 2.5, 0.5));
@@ -134,8 +140,8 @@ TEST(Referee, IgnoresTheGroundBelowHalfAMetre) {
 TEST(Referee, CallsStandingStillWhatStaysWithinTheRadiusAndNothingElse) {
   const Scenario scenario = open_field();
   const double radius_m = LoopConfig{}.stuck_radius_m;
-  Referee pacing(scenario, kBodyRadius_m, 10, {});
-  Referee dithering(scenario, kBodyRadius_m, 10, {});
+  Referee pacing(scenario, body(), 10, {});
+  Referee dithering(scenario, body(), 10, {});
   for (int i = 1; i <= 3; ++i) {
     pacing.judge(19.0 * i, at(1.01 * radius_m * (i % 2), 0));
     dithering.judge(19.0 * i, at(0.99 * radius_m * (i % 2), 0));
@@ -147,17 +153,17 @@ TEST(Referee, CallsStandingStillWhatStaysWithinTheRadiusAndNothingElse) {
 
 TEST(Referee, KnowsTheBoundsTheClockAndStandingStill) {
   const Scenario scenario = open_field();
-  Referee outside(scenario, kBodyRadius_m, 10, {});
+  Referee outside(scenario, body(), 10, {});
   outside.judge(1.0, at(-1.01, 0));
   EXPECT_EQ(outside.verdict()->outcome, Outcome::out_of_bounds);
 
-  Referee waiting(scenario, kBodyRadius_m, 10, {});
+  Referee waiting(scenario, body(), 10, {});
   waiting.judge(19.9, at(0, 0));
   EXPECT_FALSE(waiting.verdict());
   waiting.judge(20.0, at(0, 0));
   EXPECT_EQ(waiting.verdict()->outcome, Outcome::stuck);
 
-  Referee circling(scenario, kBodyRadius_m, 10, {});
+  Referee circling(scenario, body(), 10, {});
   for (int i = 1; i < 14; ++i) circling.judge(10.0 * i, at(i % 2, 0));
   EXPECT_FALSE(circling.verdict());
   circling.judge(140.0, at(0, 1));

@@ -43,6 +43,27 @@ TEST(IrSim, GivesTheShapesAtTheirStates) {
   EXPECT_EQ(world.shapes.polygons[1].vertices[1], Vec2(2, 1));
 }
 
+TEST(IrSim, TellsItsRobotsBodyWhereThatIsOneDiscOrOneConvexPolygon) {
+  const auto body = [](const std::string& shape) {
+    return ir_sim("robot: {state: [1, 2, 1.5], shape: " + shape + "}\n").robot;
+  };
+  EXPECT_EQ(ir_sim("robot: {state: [1, 2]}\n").robot->radius_m, 0.2);
+  EXPECT_EQ(body("{name: circle, radius: 0.3}")->radius_m, 0.3);
+  const auto rectangle = body("{name: rectangle, length: 0.5, width: 0.2}");
+  ASSERT_TRUE(rectangle);
+  EXPECT_EQ(rectangle->corners_body,
+            (std::vector<Vec2>{{-0.25, -0.1}, {0.25, -0.1}, {0.25, 0.1}, {-0.25, 0.1}}));
+  EXPECT_EQ(body("{name: polygon, vertices: [[-1, -1], [2, 0], [-1, 1]]}")->corners_body.size(),
+            3U);
+  for (const char* untold :
+       {"{name: circle, radius: 0.3, center: [0.1, 0]}",
+        "{name: rectangle, length: 4.6, width: 1.6, wheelbase: 3}",
+        "{name: polygon, vertices: [[1, -1], [2, 0], [1, 1]]}",
+        "{name: linestring, vertices: [[0, 0], [1, 0]]}", "{name: polygon, random_shape: true}"})
+    EXPECT_FALSE(body(untold)) << untold;
+  EXPECT_FALSE(ir_sim("obstacle: {state: [1, 2]}\n").robot) << "a file without a robot";
+}
+
 TEST(IrSim, HasTenMetresWhereNoSizeIsGiven) {
   EXPECT_EQ(read("world: {step_time: 0.1, offset: [1, 2]}\n").bounds->max, Vec2(11, 12));
   EXPECT_EQ(read("robot: {state: [1, 1]}\n").bounds->max, Vec2(10, 10));

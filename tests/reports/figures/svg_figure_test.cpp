@@ -50,6 +50,25 @@ TEST(SvgFigure, DrawsOneElementPerThing) {
   EXPECT_THAT(svg, HasSubstr("2 m</text>"));
 }
 
+TEST(SvgFigure, DrawsAPolygonAsItIsTurned) {
+  FigurePanel panel{"one", {}, {}};
+  panel.world.bounds_min = {0, 0};
+  panel.world.bounds_max = {10, 5};
+  panel.world.start = {1, 1};
+  panel.world.goal = {9, 4};
+  FigureTrack track{"a", Outcome::timeout, {}};
+  track.trace.frames.resize(1);
+  track.trace.frames[0].x_m = 5;
+  track.trace.frames[0].y_m = 2;
+  track.trace.frames[0].heading_x = 0;
+  track.trace.frames[0].heading_y = 1;
+  track.trace.body_radius_m = 0.5;
+  track.trace.footprint = {{0.4, 0.1}, {-0.2, 0.1}, {-0.2, -0.1}, {0.4, -0.1}};
+  panel.tracks = {track};
+  const std::string svg = svg_figure({panel}, {.columns = 1, .panel_px = 1000});
+  EXPECT_THAT(svg, HasSubstr("<path d=\"M508 300.1L508 360.1L528 360.1L528 300.1Z\" fill=\"#"));
+}
+
 TEST(SvgFigure, EscapesNamesAndNeedsNothingElse) {
   const std::string svg = svg_figure({panel_of("a & <b>", 3)});
   EXPECT_THAT(svg, HasSubstr("a &amp; &lt;b&gt;"));

@@ -57,18 +57,19 @@ TEST(Csv, MatchesTheGoldenFile) {
       records_to_csv({record}),
       "trial_id,suite,scenario,scenario_group,world_id,vehicle,regulator,planner,repetition,seed,"
       "outcome,reason,duration_s,path_length_m,shortest_length_m,shortest_at_clearance_m,"
-      "free_share,narrowest_passage_m,path_ratio,spl,clearance_smallest_m,clearance_mean_m,speed_"
+      "free_share,narrowest_passage_m,path_ratio,spl,clearance_smallest_m,clearance_mean_m,body_clearance_smallest_m,speed_"
       "mean_m_s,speed_max_m_s,end_x_m,"
       "end_y_m,barn_time_s,barn_score,barn_pace,replans,state_checks,budget_stops,stops_state_"
       "checks,stops_ptc_evaluations,"
       "stops_iterations,stops_wall_clock,stops_first_solution,map_points,map_obstacles,modes,"
-      "state_digest,tracking_error_rms_m,tracking_error_max_m,energy_j,"
+      "state_digest,tracking_error_rms_m,tracking_error_max_m,energy_j,settling_s,overshoot_m,stopping_"
+      "distance_m,"
       "mapping_time_us_mean,mapping_time_us_p99,planning_time_us_mean,planning_time_us_p99,"
       "step_time_us_mean,step_time_us_p99,cpu_time_s,memory_max_mb\r\n"
       "t1,synthetic,between,paper,w0,quadrotor,pd_rate,\"RRT, \"\"fast\"\"\",2,"
       "-9000000000000000001,goal_reached,at rest 0.1 m from the goal,0.30000000000000004,15.25,"
-      "14.2,,,,1.073943661971831,0.9311475409836065,0.51,,,,,,,,,17,0,0,0,0,0,0,0,0,0,none "
-      "left,,,,,,,,,,,,\r\n");
+      "14.2,,,,1.073943661971831,0.9311475409836065,0.51,,,,,,,,,,17,0,0,0,0,0,0,0,0,0,none "
+      "left,,,,,,,,,,,,,,,\r\n");
 }
 
 TEST(Csv, HasOneLinePerRecordInTheGivenOrder) {

@@ -99,6 +99,13 @@ TEST(TraceJson, KeepsEverythingAtTheStatedResolution) {
   }
 }
 
+TEST(TraceJson, KeepsAPolygonAndSaysNothingOfADisc) {
+  Trace trace;
+  EXPECT_EQ(trace_to_json(trace).find("footprint"), std::string::npos);
+  trace.footprint = {{0.229, 0.208}, {-0.229, 0.208}, {-0.229, -0.208}};
+  expect_points_near(decompress_trace(compress_trace(trace)).footprint, trace.footprint);
+}
+
 TEST(TraceJson, KeepsWhatAStaticPlanCost) {
   Trace trace;
   trace.static_planning = true;

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "voronaut/environments/random.h"
+#include "voronaut/environments/shapes/shapes.h"
 
 namespace voronaut {
 namespace {
@@ -48,6 +49,72 @@ TEST(FreeSpace, SweptDiscEndsAtTheBorderOfWhatIsKnown) {
   for (const Vec2& from : {Vec2(3.72, 0), Vec2(3.5, 0.1)}) {
     EXPECT_TRUE(space.swept_disc_is_free(from, Vec2(3.72, 0), 0.27));
     EXPECT_FALSE(space.swept_disc_is_free(from, Vec2(3.72, 0), 0.29));
+  }
+}
+
+// Every cell by hand: its distance from the polygon, by its sides and by what holds what.
+TEST(FreeSpace, AConvexPolygonIsFreeIfEveryCellThatItTouchesIs) {
+  Random random(5);
+  int free_ones = 0, all = 0;
+  for (int round = 0; round < 400; ++round) {
+    FreeSpace space(kBounds, {.cell_m = 0.1});
+    for (int i = 0; i < 6; ++i)
+      space.mark_disc(Vec2(random.uniform(-1, 1), random.uniform(-1, 1)), random.uniform(0.3, 1.3));
+    const Vec2 heading = Vec2(random.uniform(-1, 1), random.uniform(0.1, 1)).normalized();
+    const Polygon polygon = box(Vec2(random.uniform(-0.5, 0.5), random.uniform(-0.5, 0.5)),
+                                random.uniform(0.1, 1), random.uniform(0.05, 0.5), heading);
+    const double grown_m = random.uniform(0, 0.1);
+    bool expected = true, at_the_edge = false;
+    std::vector<Vec2> middles, expected_middles;
+    for (int row = -40; row < 40; ++row) {
+      for (int column = -40; column < 40; ++column) {
+        const Vec2 middle(0.1 * column + 0.05, 0.1 * row + 0.05);
+        const Polygon cell = box(middle, 0.1, 0.1);
+        double distance_m = kInfinity;
+        for (std::size_t i = 0; i < 4; ++i)
+          for (std::size_t k = 0; k < 4; ++k)
+            distance_m = std::min(distance_m, distance(edge(cell, i), edge(polygon, k)));
+        if (encloses(polygon, middle) || encloses(cell, polygon.vertices[0])) distance_m = 0;
+        if (space.is_free(middle)) continue;
+        at_the_edge = at_the_edge || std::abs(distance_m - grown_m) < 1e-6;
+        if (distance_m <= grown_m) {
+          expected = false;
+          expected_middles.push_back(middle);
+        }
+      }
+    }
+    if (at_the_edge) continue;
+    ASSERT_EQ(space.convex_is_free(polygon.vertices, grown_m), expected) << round;
+    space.unknown_cells_in_convex(polygon.vertices, grown_m, middles);
+    for (const Vec2& middle : expected_middles)
+      EXPECT_TRUE(std::ranges::any_of(middles, [&](const Vec2& m) {
+        return (m - middle).norm() < 1e-9;
+      })) << round;
+    free_ones += expected;
+    ++all;
+  }
+  EXPECT_GT(all, 350);
+  EXPECT_GT(free_ones, 50);
+  EXPECT_LT(free_ones, all - 50);
+}
+
+TEST(FreeSpace, APolygonProvesTheCellsThatLieWhollyWithinItAndNothingBeside) {
+  Random random(6);
+  for (int round = 0; round < 100; ++round) {
+    FreeSpace space(kBounds);
+    const Polygon polygon = box(Vec2(random.uniform(-1, 1), random.uniform(-1, 1)), 0.7, 0.4,
+                                Vec2(random.uniform(-1, 1), random.uniform(0.1, 1)).normalized());
+    space.mark_convex(polygon.vertices);
+    for (int row = -40; row < 40; ++row) {
+      for (int column = -40; column < 40; ++column) {
+        const Vec2 middle((column + 0.5) * space.cell_m(), (row + 0.5) * space.cell_m());
+        double least_m = kInfinity;
+        for (const Vec2& corner : box(middle, space.cell_m(), space.cell_m()).vertices)
+          least_m = std::min(least_m, -signed_distance(corner, polygon));
+        if (std::abs(least_m) < 1e-9) continue;
+        ASSERT_EQ(space.is_free(middle), least_m > 0) << round;
+      }
+    }
   }
 }
 
