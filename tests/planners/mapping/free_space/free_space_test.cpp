@@ -358,7 +358,7 @@ TEST(FreeSpace, NamesEveryUnknownCellThatATubeTouches) {
       EXPECT_FALSE(space.is_free(middle));
       const double distance_m = std::min(distance(middle, Segment{corners[0], corners[1]}),
                                          distance(middle, Segment{corners[1], corners[2]}));
-      EXPECT_LE(distance_m, radius_m + space.cell_radius_m());
+      EXPECT_LE(distance_m, radius_m + space.part_radius_m());
     }
   }
   EXPECT_GT(refused, 50);
