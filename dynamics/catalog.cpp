@@ -26,11 +26,12 @@ const std::vector<VehicleSpec>& vehicles() {
       // 1.27. They could give 19 m/s^2; what the wheels' grip allows is ours to choose.
       {.name = "cart",
        .body_radius_m = 0.22,
-       .planning_clearance_m = 0.37,
+       .planning_clearance_m = 0.26,
        .limits = {.max_speed_m_s = 1.25, .max_acceleration_m_s2 = 1, .max_tilt_rad = kNoTilt_rad},
        .model = CartConfig{},
        .regulator = PositionTrajectoryConfig::kName},
       {.name = "ideal",
+       .planning_clearance_m = 0.29,
        .limits = {.max_acceleration_m_s2 = 3, .max_tilt_rad = kNoTilt_rad},
        .model = IdealConfig{},
        .regulator = IdealRegulatorConfig::kName},
@@ -53,6 +54,7 @@ const std::vector<VehicleSpec>& vehicles() {
        .regulator = ArcTrackerConfig::kName},
       // Its rotors' hubs are at 0.24 m. Acceleration: g tan(20 deg).
       {.name = "quadrotor",
+       .planning_clearance_m = 0.31,
        .limits = {.max_acceleration_m_s2 = 3.5706},
        .model = QuadrotorConfig{},
        .regulator = PdRateConfig::kName},

@@ -25,7 +25,8 @@ Vector2d shortened(const Vector2d& v, double length) {
 
 // What the regulator asks for in this state: acceleration, or push on the jerk for a vehicle that
 // tilts.
-Vector2d asked_for(const VelocityResponse& r, const PlanarMotion& m, const Vector2d& v_commanded) {
+[[gnu::always_inline]] inline Vector2d asked_for(const VelocityResponse& r, const PlanarMotion& m,
+                                                 const Vector2d& v_commanded) {
   const Vector2d a_desired = shortened(r.k_1_s * (v_commanded - m.v_m_s), r.a_max_m_s2);
   if (r.gain_1_s2 == 0) return a_desired;
   const Vector2d a_measured = m.a_m_s2 - r.acceleration_age_s * m.j_m_s3;
@@ -33,7 +34,8 @@ Vector2d asked_for(const VelocityResponse& r, const PlanarMotion& m, const Vecto
                    r.push_max_m_s4);
 }
 
-void advance(const VelocityResponse& r, PlanarMotion& m, const Vector2d& push) {
+[[gnu::always_inline]] inline void advance(const VelocityResponse& r, PlanarMotion& m,
+                                           const Vector2d& push) {
   const double t_s = r.period_s;
   const Vector2d v = m.v_m_s;
   if (r.gain_1_s2 == 0) {
@@ -55,7 +57,7 @@ void advance(const VelocityResponse& r, PlanarMotion& m, const Vector2d& push) {
 // measured a step before.
 std::optional<Vector2d> straight_way_left_m(const VelocityResponse& r, const PlanarMotion& m) {
   const double limit_m_s2 = std::min(kLinear_m_s2, 0.9 * r.a_max_m_s2);
-  if (r.k_1_s * m.v_m_s.norm() > limit_m_s2) return std::nullopt;
+  if (r.k_1_s * r.k_1_s * m.v_m_s.squaredNorm() > limit_m_s2 * limit_m_s2) return std::nullopt;
   if (r.gain_1_s2 == 0) return Vector2d((1 / r.k_1_s - r.period_s) * m.v_m_s);
   if (m.a_m_s2.norm() > limit_m_s2) return std::nullopt;
   if (asked_for(r, m, Vector2d(0, 0)).norm() > 0.9 * r.push_max_m_s4) return std::nullopt;

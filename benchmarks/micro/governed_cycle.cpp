@@ -9,6 +9,7 @@
 #include "voronaut/benchmarks/episode/ground_truth_collision_checker.h"
 #include "voronaut/environments/scenario/scenario_spec.h"
 #include "voronaut/environments/world.h"
+#include "voronaut/planners/navigation/governor_setup.h"
 
 namespace voronaut::micro {
 namespace {
@@ -29,14 +30,6 @@ TrialSpec governed_trial(const std::string& vehicle, const std::string& forest,
   spec.flight.navigation.yaw_policy = YawReference::path;
   spec.shortest_length_m = 15;
   return spec;
-}
-
-// The navigator keeps its known-free space to itself; what bringing it up to date costs is counted
-// on a second one, which sees the same scans.
-FreeSpace free_space_of(const NavigatorConfig& config) {
-  const Vec2 rim(config.vehicle.planning_clearance_m, config.vehicle.planning_clearance_m);
-  const Bounds& bounds = config.mission.bounds_world;
-  return FreeSpace({bounds.min - rim, bounds.max + rim});
 }
 
 // A flight, step by step, stopped where a scan has come in.
@@ -109,6 +102,8 @@ class GovernedCycle : public CountedWork {
  private:
   TrialSpec spec_ = governed_trial("quadrotor", kSmallForest);
   GovernedFlight flight_{spec_};
+  // The navigator keeps its own to itself; what bringing it up to date costs is counted on a second
+  // one, which sees the same scans.
   FreeSpace free_space_ = free_space_of(navigator_config(spec_));
 };
 

@@ -93,28 +93,50 @@ Speeds speeds_of(const AcceptanceCriterion& criterion, const std::vector<RunReco
   return speeds;
 }
 
+// Of sums over pairs, with the lower end of its 95 % interval: the ratio estimator and its variance
+// (W. G. Cochran, Sampling Techniques, 3rd ed. 1977, eq. 6.9).
+struct PairedRatio {
+  std::int64_t pairs = 0;
+  double value = 0, lower = 0;
+};
+
+PairedRatio ratio_of(const Speeds& mine, const Speeds& others) {
+  std::vector<std::pair<double, double>> pairs;
+  double sum = 0, sum_beside = 0;
+  for (const auto& [world, speed_m_s] : mine) {
+    const auto beside = others.find(world);
+    if (beside == others.end()) continue;
+    pairs.emplace_back(speed_m_s, beside->second);
+    sum += speed_m_s;
+    sum_beside += beside->second;
+  }
+  if (pairs.empty()) return {};
+  const double ratio = sum / sum_beside;
+  double residual_sq = 0;
+  for (const auto& [speed_m_s, beside_m_s] : pairs)
+    residual_sq += (speed_m_s - ratio * beside_m_s) * (speed_m_s - ratio * beside_m_s);
+  constexpr double kNormal95 = 1.96;
+  return {static_cast<std::int64_t>(pairs.size()), ratio,
+          ratio - kNormal95 * std::sqrt(residual_sq) / sum_beside};
+}
+
 void examine_speed(const AcceptanceCriterion& criterion, const std::vector<RunRecord>& records,
                    Examination& examination) {
   if (criterion.speed_beside.empty()) return;
   AcceptanceCriterion other = criterion;
   other.planner = criterion.speed_beside;
-  const Speeds others = speeds_of(other, records);
-  double sum = 0, sum_beside = 0;
-  std::int64_t pairs = 0;
   const Speeds mine = speeds_of(criterion, records);
-  for (const auto& [world, speed_m_s] : mine) {
-    const auto beside = others.find(world);
-    if (beside == others.end()) continue;
-    sum += speed_m_s;
-    sum_beside += beside->second;
-    ++pairs;
-  }
-  if (pairs == 0 && static_cast<std::int64_t>(mine.size()) >= kFewestArrivals)
+  const PairedRatio ratio = ratio_of(mine, speeds_of(other, records));
+  if (ratio.pairs == 0 && static_cast<std::int64_t>(mine.size()) >= kFewestArrivals)
     return examination.fail("no world that both finished");
-  const double ratio = pairs > 0 ? sum / sum_beside : 0;
-  examination.add_over_arrivals(
-      "mean speed >= " + number_text(criterion.speed_ratio_min) + " x " + criterion.speed_beside,
-      fixed(ratio, 3), ratio >= criterion.speed_ratio_min, pairs);
+  const std::string beside = " x " + criterion.speed_beside;
+  examination.add_over_arrivals("mean speed >= " + number_text(criterion.speed_ratio_min) + beside,
+                                fixed(ratio.value, 3), ratio.value >= criterion.speed_ratio_min,
+                                ratio.pairs);
+  if (criterion.speed_ratio_lower_min > 0)
+    examination.add_over_arrivals(
+        "its lower bound >= " + number_text(criterion.speed_ratio_lower_min) + beside,
+        fixed(ratio.lower, 3), ratio.lower >= criterion.speed_ratio_lower_min, ratio.pairs);
 }
 
 }  // namespace

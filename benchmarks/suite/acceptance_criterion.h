@@ -32,6 +32,7 @@ struct AcceptanceCriterion {
   // Mean speed over that of another planner (label), over the worlds that both finished.
   std::string speed_beside;
   double speed_ratio_min = 0;
+  double speed_ratio_lower_min = 0;  // of the lower end of its 95 % interval
 
   AcceptanceCriterion();
   // By its key; std::invalid_argument for an unknown one.
@@ -51,6 +52,8 @@ struct AcceptanceCriterion {
            "finished");
     v.number("speed_ratio_min", speed_ratio_min, 0, 100,
              "Smallest ratio of the mean speed to that of speed_beside");
+    v.number("speed_ratio_lower_min", speed_ratio_lower_min, 0, 100,
+             "And the lower end of its 95 % interval is at least this");
   }
 };
 

@@ -73,6 +73,10 @@ void read_contents(const ConfigNode& root, const std::string& data_argument,
   suite.scenarios = read_list<ScenarioSpec>(
       root.child("scenarios"), [&](const ConfigNode& entry) { return read_scenarios(entry, data); },
       [](const ScenarioSpec& scenario) { return scenario.name(); }, "give this one another name");
+  double clearance_m = 0;
+  for (const VehicleEntry& entry : suite.vehicles)
+    clearance_m = std::max(clearance_m, entry.vehicle.planning_clearance_m);
+  for (ScenarioSpec& scenario : suite.scenarios) scenario = scenario.admitting(clearance_m);
 }
 
 // What planners of their own navigation have on vehicles of their own flight.

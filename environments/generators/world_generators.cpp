@@ -1,6 +1,7 @@
 #include "voronaut/environments/generators/world_generators.h"
 
 #include <algorithm>
+#include <cmath>
 #include <stdexcept>
 
 #include "voronaut/environments/config/nearest_name.h"
@@ -15,8 +16,11 @@
 namespace voronaut {
 namespace {
 
-// 1.05 times the planning clearance of a body of 0.25 m (0.40 m).
-constexpr double kAdmitted = 0.42;
+constexpr const char* kAdmissionKey = "admission_clearance_m";
+// Times the planning clearance.
+constexpr double kAdmitted = 1.05;
+// Where nobody said who flies.
+constexpr double kAdmitted_m = 0.42;
 // Families about infeasibility: a world is admitted as it is drawn.
 constexpr double kUnchecked = 0;
 // After so many first draws of which none could be placed, what is asked is taken for impossible:
@@ -76,6 +80,7 @@ WorldGenerator::Family WorldGenerator::family(std::string name, const Config& de
     generator.entries_ = config_entries(config);
     generator.entries_.insert(generator.entries_.begin(), {"name", name});
     generator.admission_ = config.admission;
+    generator.admission_is_given_ = node != nullptr && node->find(kAdmissionKey).has_value();
     generator.draw_ = [drawn = config.family](Random& random) { return draw_world(drawn, random); };
     if (node != nullptr) generator.place_ = *node;
     return generator;
@@ -87,19 +92,19 @@ const std::vector<WorldGenerator::Family>& WorldGenerator::families() {
   MazeConfig braided;
   braided.opened = 0.2;
   static const std::vector<Family> all = {
-      family("forest", ForestConfig{}, kAdmitted),
-      family("paper_scene", PaperSceneConfig{}, kAdmitted),
-      family("goal_side", GoalSideConfig{}, kAdmitted),
-      family("grid", GridConfig{}, kAdmitted),
-      family("walls", WallsConfig{}, kAdmitted),
-      family("u_trap", UTrapConfig{}, kAdmitted),
-      family("bug_trap", BugTrapConfig{}, kAdmitted),
-      family("spiral", SpiralConfig{}, kAdmitted),
-      family("rooms", RoomsConfig{}, kAdmitted),
-      family("maze", MazeConfig{}, kAdmitted),
-      family("braided_maze", braided, kAdmitted),
+      family("forest", ForestConfig{}, kAdmitted_m),
+      family("paper_scene", PaperSceneConfig{}, kAdmitted_m),
+      family("goal_side", GoalSideConfig{}, kAdmitted_m),
+      family("grid", GridConfig{}, kAdmitted_m),
+      family("walls", WallsConfig{}, kAdmitted_m),
+      family("u_trap", UTrapConfig{}, kAdmitted_m),
+      family("bug_trap", BugTrapConfig{}, kAdmitted_m),
+      family("spiral", SpiralConfig{}, kAdmitted_m),
+      family("rooms", RoomsConfig{}, kAdmitted_m),
+      family("maze", MazeConfig{}, kAdmitted_m),
+      family("braided_maze", braided, kAdmitted_m),
       family("narrow_gaps", NarrowGapsConfig{}, kUnchecked),
-      family("thin_posts", ThinPostsConfig{}, kAdmitted),
+      family("thin_posts", ThinPostsConfig{}, kAdmitted_m),
       family("enclosed_goal", EnclosedGoalConfig{}, kUnchecked),
   };
   return all;
@@ -132,6 +137,16 @@ bool WorldGenerator::admits(const GeneratedWorld& drawn) const {
   const World world(drawn.bounds, drawn.shapes);
   return shortest_path(world, drawn.start, drawn.goal, admission_.admission_clearance_m)
       .has_value();
+}
+
+void WorldGenerator::admit_for(double planning_clearance_m) {
+  if (admission_is_given_ || admission_.admission_clearance_m == kUnchecked) return;
+  // Up to whole millimetres, or a product's last digits would stand in names of worlds.
+  constexpr double kRounding_mm = 1e-6;
+  const double admitted_mm = std::ceil(1000 * kAdmitted * planning_clearance_m - kRounding_mm);
+  admission_.admission_clearance_m = admitted_mm / 1000;
+  for (auto& [key, value] : entries_)
+    if (key == kAdmissionKey) value = number_text(admission_.admission_clearance_m);
 }
 
 GeneratedWorld WorldGenerator::generate(std::uint64_t seed) const {

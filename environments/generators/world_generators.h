@@ -17,14 +17,17 @@ namespace voronaut {
 
 // Which draws become worlds: no planner shall be blamed for the impossible.
 struct AdmissionConfig {
-  // A disc of this radius must have a path from start to goal; 0 admits every draw.
+  // A disc of this radius must have a path from start to goal; 0 admits every draw. Where vehicles
+  // are known and nobody said otherwise it is WorldGenerator::admit_for()'s.
   double admission_clearance_m = 0.42;
   int draws_max = 200;
 
   template <class Visitor>
   void visit(Visitor& v) {
     v.number("admission_clearance_m", admission_clearance_m, 0, 10,
-             "A disc of this radius must have a path from start to goal; 0 admits every draw");
+             "A disc of this radius must have a path from start to goal; 0 admits every draw. Not "
+             "given in a suite: 1.05 times the largest planning_clearance_m of its vehicles, in "
+             "whole mm");
     v.count("draws_max", draws_max, 1, 100'000, "So many draws without an admissible world: none");
   }
 };
@@ -43,6 +46,10 @@ class WorldGenerator {
   const std::string& name() const { return name_; }
   // The name and every parameter.
   const ConfigEntries& entries() const { return entries_; }
+
+  // What flies there keeps this clearance when planning: unless what was read says which draws are
+  // admitted, or the family admits every draw, a disc a twentieth larger must have a path.
+  void admit_for(double planning_clearance_m);
 
   // The same world for the same seed, everywhere. Draws until one is admitted; throws ConfigError
   // after draws_max, or after the first 25 if none of them could be placed.
@@ -65,6 +72,7 @@ class WorldGenerator {
   ConfigEntries entries_;
   std::function<WorldDraw(Random&)> draw_;
   AdmissionConfig admission_;
+  bool admission_is_given_ = false;
   std::optional<ConfigNode> place_;  // where it was read
 };
 

@@ -91,6 +91,12 @@ ScenarioSpec ScenarioSpec::generated(TaskConfig task, WorldGenerator generator,
   return spec;
 }
 
+ScenarioSpec ScenarioSpec::admitting(double planning_clearance_m) const {
+  ScenarioSpec spec = *this;
+  if (spec.generator_) spec.generator_->admit_for(planning_clearance_m);
+  return spec;
+}
+
 std::string ScenarioSpec::definition() const {
   TaskConfig ungrouped = task_;
   ungrouped.group.clear();

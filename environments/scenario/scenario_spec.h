@@ -53,6 +53,10 @@ class ScenarioSpec {
   static ScenarioSpec generated(TaskConfig task, WorldGenerator generator,
                                 std::optional<double> start_heading_rad = {});
 
+  // The same for vehicles of which none keeps more than this when planning
+  // (WorldGenerator::admit_for).
+  ScenarioSpec admitting(double planning_clearance_m) const;
+
   const std::string& name() const { return task_.name; }
   const std::string& group() const { return task_.group; }
   const std::optional<RobotBody>& robot() const { return task_.robot; }

@@ -39,6 +39,10 @@ class CommandLadder {
   // From here on all is about this wish in this state.
   virtual void set_up(const WantedMotion& wanted, const VehicleState& state) = 0;
   virtual std::size_t top() const = 0;  // level; 0: nothing is wanted but to brake
+  // Whether there is a course that can be turned. If so: from here on all is about the wish with
+  // its course turned from what was set up, by an angle of which this is the cosine and the sine.
+  virtual bool turns_aside() const { return false; }
+  virtual void turn_aside(const Vec2& /*rotation*/) {}
   // False if all that is wanted is a turn on the spot before it leads anywhere.
   virtual bool leads_on() const = 0;
   // Of the levels after braking, so many turn on the spot. A body that is no disc may lack the room

@@ -1,27 +1,18 @@
 #include "voronaut/planners/navigation/navigator.h"
 
 #include <algorithm>
-#include <cmath>
-#include <numbers>
 #include <stdexcept>
 #include <utility>
 
 #include "voronaut/planners/navigation/footprint_fit.h"
+#include "voronaut/planners/navigation/governor_setup.h"
 #include "voronaut/planners/navigation/shortcut.h"
+#include "voronaut/planners/navigation/velocity_ladder.h"
 
 // When to set off, when to plan, and what to make of the planner's answer.
 namespace voronaut {
 
 namespace {
-
-// What a body within the bounds may touch.
-Bounds reachable_bounds(const NavigatorConfig& config) {
-  const Bounds& bounds = config.mission.bounds_world;
-  const double reach_m =
-      std::max(config.vehicle.planning_clearance_m, config.vehicle.body_radius_m);
-  const Vec2 rim(reach_m, reach_m);
-  return {bounds.min - rim, bounds.max + rim};
-}
 
 ProblemConfig problem_config(const NavigatorConfig& config) {
   return {config.mission.bounds_world, config.mission.goal_world, config.mission.goal_tolerance_m,
@@ -42,44 +33,16 @@ ompl::base::PlannerPtr make_planner(const NavigatorConfig& config, const Planner
   return planner;
 }
 
-std::optional<SafetyGovernor> governor_of(const NavigatorConfig& config) {
-  if (!config.navigation.governor) return std::nullopt;
-  const VehicleFacts& vehicle = config.vehicle;
-  if (!vehicle.motion_response)
-    throw std::invalid_argument("a governor needs the vehicle's motion response");
-  const bool answers_arcs = !std::holds_alternative<VelocityResponse>(*vehicle.motion_response);
-  if (answers_arcs != (vehicle.steering == Steering::along_heading))
-    throw std::invalid_argument(
-        "a governor needs a motion response of the kind of the vehicle's steering");
-  return SafetyGovernor(*vehicle.motion_response, vehicle.body_radius_m,
-                        vehicle.planning_clearance_m, config.range_finder.period_s,
-                        config.mission.bounds_world, vehicle.footprint, config.errors);
-}
-
-// How far a vehicle's course swings from its path towards a wall, at a corner or braking, in the
-// worst of the flights by which this was chosen.
-constexpr double kSwingAside_m = 0.025;
-// Finer cells cost more than they give: an update takes 10 k instructions at 0.05 m, 22 k at 0.015
-// m, 34 k at 0.01 m (91 rays).
-constexpr double kFinestCell_m = 0.01;
 // Paths that a body does not fit along, at one scan; then the governor decides.
 constexpr int kTriesToFit = 3;
 
-// Cells on a wall are never known free. So a tube keeps a cell's diagonal from it, and what
-// planners keep beside the body must have room for that, for what a stop strays, and for the swing:
-// at 4 cm vehicles stand still before gaps that their paths lead through with cells of 0.05 m, 5 of
-// 200 with 0.02 m, none of 500 with 0.015 m.
-double cell_m(const NavigatorConfig& config) {
-  const double coarsest_m = FreeSpaceConfig{}.cell_m;
-  const auto governor = governor_of(config);
-  if (!governor) return coarsest_m;
-  const VehicleFacts& vehicle = config.vehicle;
-  const double radius_m =
-      vehicle.planned_smaller() ? vehicle.footprint.planned_radius_m : vehicle.body_radius_m;
-  const double beside_body_m = vehicle.planning_clearance_m - radius_m;
-  const double stray_m = governor->room_to_bounds_m(VehicleState{});
-  const double diagonal_m = beside_body_m - stray_m - kSwingAside_m;
-  return std::clamp(diagonal_m / std::numbers::sqrt2, kFinestCell_m, coarsest_m);
+// The velocity loop of a governed vehicle is faster than its regulator's; a goal is approached as
+// much faster with the same damping.
+SpeedProfileConfig goal_profile(const NavigatorConfig& config) {
+  SpeedProfileConfig profile = config.vehicle.goal_profile;
+  if (config.navigation.governor && config.vehicle.steering == Steering::any_direction)
+    profile.goal_gain_1_s *= VelocityLadder::kVelocityGain;
+  return profile;
 }
 
 // Where the body stands at the start is free.
@@ -125,13 +88,13 @@ class StageNotice {
 Navigator::Navigator(const NavigatorConfig& config, const PlannerCatalog& planners)
     : config_(config),
       map_(config.mapping),
-      free_space_(reachable_bounds(config), {.cell_m = cell_m(config)}),
+      free_space_(free_space_of(config)),
       doubted_(config.errors.sensing, config.vehicle.body_radius_m),
       problem_(problem_config(config)),
       planner_traits_(planner_entry(config, planners).traits),
       planner_(make_planner(config, planners, problem_)),
       replan_policy_(config.navigation, planner_traits_),
-      tracker_(config.navigation, SpeedProfile(config.vehicle.goal_profile),
+      tracker_(config.navigation, SpeedProfile(goal_profile(config)),
                config.vehicle.limits.max_speed_m_s),
       yaw_policy_(config.navigation.yaw_policy, config.mission.start_heading),
       look_around_(config.range_finder.field_of_view_rad),

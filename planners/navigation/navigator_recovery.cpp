@@ -72,7 +72,7 @@ std::optional<Vec2> Navigator::unknown_to_look_at(const VehicleState& state) {
 // A cell on a surface that has been seen never becomes known free, however often it is looked at.
 // Every return has a known point closer than the thinning distance.
 bool Navigator::is_on_surface(const Vec2& unknown_world) const {
-  const double near_m = config_.mapping.thinning_distance_m + 2 * free_space_.cell_radius_m();
+  const double near_m = config_.mapping.thinning_distance_m + 2 * free_space_.part_radius_m();
   return map_.snapshot().nearest(unknown_world, near_m).has_value();
 }
 

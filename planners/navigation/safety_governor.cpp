@@ -13,6 +13,11 @@ namespace {
 constexpr double kSample_s = 0.05;
 // What is too close already may stay as close as it is, up to rounding.
 constexpr double kRounding_m = 1e-6;
+// Cosine and sine of how far a course is turned aside: 0.2 and 0.4 rad.
+const std::array kAside = {Vec2(0.9800665778412416, 0.19866933079506122),
+                           Vec2(0.9210609940028851, 0.3894183423086505)};
+// Of the speed wanted: only who is faster goes aside. Who creeps through a gap gains nothing by it.
+constexpr double kFastScale = 0.4;
 
 // Whether the body is a polygon whose heading is part of what is predicted.
 bool turns_as_predicted(const MotionResponse& response, const Footprint& footprint) {
@@ -51,7 +56,7 @@ const GovernedMotion& SafetyGovernor::allow(const WantedMotion& wanted, const Ve
     keep_m = std::max(0.0, (known.points()[*closest] - p).norm() - kRounding_m);
   }
   const std::size_t top = ladder_->top();
-  level_ = top > 0 ? safe_level(free, known, keep_m) : 0;
+  level_ = found_level(free, known, keep_m);
   allowed_.speed_scale = ladder_->speed_scale(level_);
   if (ladder_->leads_on() || (allowed_.refused_at && free.is_free(*allowed_.refused_at)))
     allowed_.refused_at.reset();
@@ -60,8 +65,8 @@ const GovernedMotion& SafetyGovernor::allow(const WantedMotion& wanted, const Ve
   }
   allowed_.command = ladder_->command(level_);
   allowed_.v_world = level_ > 0 ? safe_stop_.v_command_world : Vec2(0, 0);
-  if (level_ == 0) corners_.clear();
-  allowed_.tube_world = corners_;
+  if (level_ == 0) safe_corners_.clear();
+  allowed_.tube_world = safe_corners_;
   ladder_->give(level_);
   return allowed_;
 }
@@ -87,39 +92,54 @@ std::optional<Vec2> SafetyGovernor::way_out(const Vec2& towards, const VehicleSt
   return departing_direction(towards, p, touched_);
 }
 
-std::size_t SafetyGovernor::safe_level(const FreeSpace& free, const ObstacleSnapshot& known,
-                                       double keep_m) {
+// All that is wanted, straight or a little aside, if it was fast before; else as fast as is safe.
+std::size_t SafetyGovernor::found_level(const FreeSpace& free, const ObstacleSnapshot& known,
+                                        double keep_m) {
   const std::size_t top = ladder_->top();
-  const std::size_t turns = sweep_ && ladder_->leads_on() ? ladder_->turn_levels() : 0;
-  std::size_t safe = safe_level_between(turns, top, free, known, keep_m);
-  if (safe == turns && turns > 0) safe = safe_level_between(0, turns, free, known, keep_m);
-  corners_.swap(safe_corners_);
-  return safe;
+  if (top == 0 || level_ > top || ladder_->speed_scale(level_) < kFastScale)
+    return safe_level(top + 1, free, known, keep_m);
+  if (is_safe(top, free, known, keep_m) || goes_aside(free, known, keep_m)) return top;
+  return safe_level(top, free, known, keep_m);
 }
 
-// The highest of the levels above `low` that is safe, up to `high`; `low` if none is.
-// A slower command sweeps less, so levels are safe up to one of them. That is most often the level
-// of the call before or next to it: looked for there first, then by bisection.
-std::size_t SafetyGovernor::safe_level_between(std::size_t low, std::size_t high,
+// Keeps its stop and its corners as those of the safe command, or of the refused one.
+bool SafetyGovernor::is_safe(std::size_t level, const FreeSpace& free,
+                             const ObstacleSnapshot& known, double keep_m) {
+  const PredictedStop stop = predict(level);
+  if (!tube_.keeps_clear(stop, corners_, known, keep_m) || !is_free(stop, free)) {
+    refused_stop_ = stop;
+    refused_corners_.swap(corners_);
+    refused_track_.swap(track_);
+    refused_headings_.swap(headings_);
+    return false;
+  }
+  safe_stop_ = stop;
+  safe_corners_.swap(corners_);
+  return true;
+}
+
+// The fastest safe level below `unsafe`. What is no disc turns on the spot at the lowest ones.
+std::size_t SafetyGovernor::safe_level(std::size_t unsafe, const FreeSpace& free,
+                                       const ObstacleSnapshot& known, double keep_m) {
+  const std::size_t turns = sweep_ && ladder_->leads_on() ? ladder_->turn_levels() : 0;
+  const std::size_t safe = safe_level_between(turns, unsafe, free, known, keep_m);
+  if (safe > turns || turns == 0) return safe;
+  return safe_level_between(0, turns + 1, free, known, keep_m);
+}
+
+// A slower command sweeps less, so levels are safe up to one of them, below `unsafe`; `safe` if
+// none above it is. That is most often the level of the call before or next to it: looked for there
+// first, then by bisection.
+std::size_t SafetyGovernor::safe_level_between(std::size_t safe, std::size_t unsafe,
                                                const FreeSpace& free, const ObstacleSnapshot& known,
                                                double keep_m) {
-  std::size_t safe = low, unsafe = high + 1;
-  std::size_t level = std::clamp(level_ + 1, low + 1, high);
+  const std::size_t lowest = safe + 1;
+  std::size_t level = std::max(lowest, std::min(level_ + 1, unsafe - 1));
   bool near = true;
   while (unsafe - safe > 1) {
-    const PredictedStop stop = predict(level);
-    if (tube_.keeps_clear(stop, corners_, known, keep_m) && is_free(stop, free)) {
-      safe = level;
-      safe_stop_ = stop;
-      safe_corners_.swap(corners_);
-    } else {
-      unsafe = level;
-      refused_stop_ = stop;
-      refused_corners_.swap(corners_);
-      refused_track_.swap(track_);
-      refused_headings_.swap(headings_);
-    }
-    if (near && unsafe == level && level > low + 1)
+    const bool is_unsafe = !is_safe(level, free, known, keep_m);
+    (is_unsafe ? unsafe : safe) = level;
+    if (near && is_unsafe && level > lowest)
       --level;
     else
       level = (safe + unsafe) / 2;
@@ -146,6 +166,27 @@ PredictedStop SafetyGovernor::predict(std::size_t level) {
   stop.stray_m += errors_.sensing.position_m + errors_.sensing.heading_rad * way_m +
                   errors_.stop_per_speed_s * stop.fastest_m_s;
   return stop;
+}
+
+// A tube that leads past a tree touches it with a few centimetres of its width: a little aside
+// there is room for all the speed that is wanted. First to the side to which it last went.
+bool SafetyGovernor::goes_aside(const FreeSpace& free, const ObstacleSnapshot& known,
+                                double keep_m) {
+  if (!ladder_->turns_aside()) return false;
+  const PredictedStop straight_stop = refused_stop_;
+  straight_corners_.swap(refused_corners_);
+  for (const Vec2& turn : kAside) {
+    for (const bool left : {goes_left_, !goes_left_}) {
+      ladder_->turn_aside(left ? turn : Vec2(turn.x(), -turn.y()));
+      if (!is_safe(ladder_->top(), free, known, keep_m)) continue;
+      goes_left_ = left;
+      return true;
+    }
+  }
+  ladder_->turn_aside(Vec2(1, 0));
+  refused_stop_ = straight_stop;
+  straight_corners_.swap(refused_corners_);
+  return false;
 }
 
 }  // namespace voronaut

@@ -91,13 +91,17 @@ class SafetyGovernor {
                               KnownClearance kept);
 
  private:
-  std::size_t safe_level(const FreeSpace& free, const ObstacleSnapshot& known, double keep_m);
-  std::size_t safe_level_between(std::size_t low, std::size_t high, const FreeSpace& free,
+  std::size_t found_level(const FreeSpace& free, const ObstacleSnapshot& known, double keep_m);
+  bool is_safe(std::size_t level, const FreeSpace& free, const ObstacleSnapshot& known,
+               double keep_m);
+  std::size_t safe_level(std::size_t unsafe, const FreeSpace& free, const ObstacleSnapshot& known,
+                         double keep_m);
+  bool goes_aside(const FreeSpace& free, const ObstacleSnapshot& known, double keep_m);
+  std::size_t safe_level_between(std::size_t safe, std::size_t unsafe, const FreeSpace& free,
                                  const ObstacleSnapshot& known, double keep_m);
   PredictedStop predict(std::size_t level);
   bool is_free(const PredictedStop& stop, const FreeSpace& free);
   std::optional<Vec2> unknown_refused(const FreeSpace& free);
-
 
   std::unique_ptr<CommandLadder> ladder_;
   StopTube tube_;
@@ -109,11 +113,13 @@ class SafetyGovernor {
   std::vector<Vec2> touched_;           // scratch
   std::vector<Vec2> track_, headings_;  // as predicted
   std::vector<Vec2> refused_track_, refused_headings_;
-  std::vector<Vec2> corners_;          // its corners
-  std::vector<Vec2> safe_corners_;     // of the fastest command found safe
-  std::vector<Vec2> refused_corners_;  // of the slowest found unsafe
+  std::vector<Vec2> corners_;           // of the track
+  std::vector<Vec2> safe_corners_;      // of the latest command found safe
+  std::vector<Vec2> refused_corners_;   // of the latest found unsafe
+  std::vector<Vec2> straight_corners_;  // of that, while others are tried
   PredictedStop safe_stop_, refused_stop_;
   std::size_t level_ = 0;  // allowed before
+  bool goes_left_ = true;  // the last time it went aside
 };
 
 }  // namespace voronaut

@@ -13,12 +13,16 @@ constexpr std::array kVelocityScales = {0.0, 0.05, 0.12, 0.25, 0.4, 0.6, 0.8, 1.
 }  // namespace
 
 void VelocityLadder::set_up(const WantedMotion& wanted, const VehicleState& state) {
-  v_wanted_ = wanted.v_world;
+  v_wanted_ = v_set_up_ = wanted.v_world;
   now_ = response_.motion_of(state);
 }
 
 std::size_t VelocityLadder::top() const {
   return v_wanted_.squaredNorm() > 0 ? kVelocityScales.size() - 1 : 0;
+}
+
+void VelocityLadder::turn_aside(const Vec2& rotation) {
+  v_wanted_ = rotation.x() * v_set_up_ + rotation.y() * left_of(v_set_up_);
 }
 
 double VelocityLadder::speed_scale(std::size_t level) const { return kVelocityScales[level]; }

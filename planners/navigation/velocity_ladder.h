@@ -15,6 +15,8 @@ class VelocityLadder : public CommandLadder {
 
   void set_up(const WantedMotion& wanted, const VehicleState& state) override;
   std::size_t top() const override;
+  bool turns_aside() const override { return true; }
+  void turn_aside(const Vec2& rotation) override;
   bool leads_on() const override { return true; }
   double speed_scale(std::size_t level) const override;
   MotionCommand command(std::size_t level) const override;
@@ -29,7 +31,8 @@ class VelocityLadder : public CommandLadder {
   Vec2 v_command(std::size_t level) const;
 
   VelocityResponse response_;
-  Vec2 v_wanted_ = Vec2::Zero();
+  Vec2 v_set_up_ = Vec2::Zero();
+  Vec2 v_wanted_ = Vec2::Zero();  // turned aside
   PlanarMotion now_;
   Vec2 v_before_ = Vec2::Zero();
 };

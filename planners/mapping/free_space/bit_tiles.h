@@ -26,7 +26,13 @@ class BitTiles {
 
   // The columns [from, to] of a row of cells, or of the rows [low_row, high_row].
   void set(int row, int from, int to);
-  bool all_set(int row, int from, int to) const { return all_set(row, row, from, to); }
+  bool all_set(int row, int from, int to) const {
+    const int word = row_words::word_of(from);
+    if (word != row_words::word_of(to)) return all_set(row, row, from, to);
+    const std::uint64_t wanted = row_words::bits_from(from) & row_words::bits_up_to(to);
+    const Tile& tile = at(row_words::word_of(row), word);
+    return (wanted & ~tile[static_cast<std::size_t>(row & (kSide - 1))]) == 0;
+  }
   bool all_set(int low_row, int high_row, int from, int to) const;
 
   // Makes those that are missing among the tiles [first, first + count) of a row of tiles and

@@ -10,12 +10,26 @@ using row_words::floor_of;
 
 namespace {
 
-// Where nothing is in range, one chord spans several beams, a millimetre inside their arc.
+// Where nothing is in range, one chord spans several beams, a millimetre inside their arc; where a
+// part begins, it may be coarser.
 constexpr double kChord_rad = 0.07;
+constexpr double kFirstChord_rad = 0.2;
 
-std::size_t beams_per_chord(double spacing_rad, std::size_t beams) {
-  const double most = static_cast<double>(beams);
-  return static_cast<std::size_t>(std::clamp(kChord_rad / spacing_rad, 1.0, most));
+// At least one.
+std::size_t beams_across(double angle_rad, const Scan& scan) {
+  const double most = static_cast<double>(scan.size());
+  return static_cast<std::size_t>(std::clamp(angle_rad / scan.beams->bearing_step_rad, 1.0, most));
+}
+
+// How much of a beam that hit something is known to be free. The surface between two beams may
+// stand out towards the sensor: a right-angled corner by half their spacing.
+double free_share(const Scan& scan) { return 1 - 0.5 * scan.beams->bearing_step_rad; }
+
+// How far a beam is free, counted no longer than longest_m.
+inline double free_length_m(double range_m, double max_range_m, double share, double longest_m) {
+  if (range_m == max_range_m) return longest_m;
+  const double free_m = range_m > 0 && range_m < max_range_m ? range_m * share : 0;
+  return free_m < longest_m ? free_m : longest_m;
 }
 
 }  // namespace
@@ -52,70 +66,125 @@ class ScanStar::Pen {
   double low_x_, low_y_, high_x_, high_y_;
 };
 
-void ScanStar::trace(const Scan& scan, const Vec2& sensor, double cell_m) {
-  const std::size_t most = 2 * scan.size() + 2;
-  if (corners_.size() < most) corners_.resize(most);
-  Pen pen(corners_.data() + 1, sensor);
+ScanStar::Outline ScanStar::trace(const Scan& scan, const Vec2& sensor, double cell_m) {
+  Pen pen(room_for(scan), sensor);
   if (scan.beams->full_circle()) {
-    draw<true>(scan, cell_m, pen);
+    draw<true>(scan, cell_m, {0, scan.size(), scan.max_range_m, 0}, pen);
   } else {
-    draw<false>(scan, cell_m, pen);
+    draw<false>(scan, cell_m, {0, scan.size() - 1, scan.max_range_m, 0}, pen);
   }
-  count_ = static_cast<std::size_t>(pen.end() - corners_.data());
-  box_ = pen.box();
-  corners_.front() = corners_[count_ - 1];
-  if (box_.low_column < 0 || box_.low_row < 0) round_down();
+  return outline(pen);
 }
 
-void ScanStar::round_down() {
-  for (std::size_t i = 0; i < count_; ++i) {
-    Corner& corner = corners_[i];
-    corner.column = floor_of(corner.x);
-    corner.row = floor_of(corner.y);
-  }
+ScanStar::Outline ScanStar::trace_near(const Scan& scan, const Vec2& sensor, double cell_m,
+                                       double within_m, double depth_m, std::size_t& first_beam) {
+  const auto part = near_part(scan, std::min(within_m, scan.max_range_m), depth_m, first_beam);
+  if (!part) return {};
+  Pen pen(room_for(scan), sensor);
+  draw<false>(scan, cell_m, *part, pen);
+  draw_back(scan, cell_m, *part, pen);
+  return outline(pen);
 }
 
-// On a full circle the beam after the last is the first.
+// Surfaces belong to one part if what is drawn beside each would meet.
+std::optional<ScanStar::Part> ScanStar::near_part(const Scan& scan, double within_m, double depth_m,
+                                                  std::size_t& first_beam) {
+  const std::size_t beams = scan.size();
+  const double* const range_m = scan.range_m.data();
+  const double returns_within_m = within_m / free_share(scan);
+  const auto is_near = [&](std::size_t beam) {
+    return range_m[beam] > 0 && range_m[beam] < returns_within_m;
+  };
+  std::size_t beam = first_beam;
+  while (beam < beams && !is_near(beam)) ++beam;
+  if (beam == beams) return std::nullopt;
+  const std::size_t first_near = beam;
+  std::size_t last_near = beam, beside = 1;
+  double closest_m = returns_within_m;
+  for (; beam < beams && beam - last_near <= 2 * beside; ++beam) {
+    if (!is_near(beam)) continue;
+    last_near = beam;
+    if (range_m[beam] >= closest_m) continue;
+    closest_m = range_m[beam];
+    beside = beams_across(depth_m / closest_m, scan) + 1;
+  }
+  first_beam = last_near + 1;
+  Part part{first_near - std::min(first_near, beside), std::min(beams - 1, last_near + beside),
+            within_m, within_m};
+  // Nothing of it may end before it begins.
+  const double share = free_share(scan);
+  for (std::size_t i = part.first; i <= part.end; ++i)
+    part.shortest_m =
+        std::min(part.shortest_m, free_length_m(range_m[i], scan.max_range_m, share, within_m));
+  part.shortest_m = std::max(0.0, part.shortest_m - depth_m);
+  return part;
+}
+
+ScanStar::Corner* ScanStar::room_for(const Scan& scan) {
+  const std::size_t most = 3 * scan.size() + 4;
+  if (corners_.size() < most) corners_.resize(most);
+  return corners_.data() + 1;
+}
+
+ScanStar::Outline ScanStar::outline(const Pen& pen) {
+  const auto count = static_cast<std::size_t>(pen.end() - corners_.data());
+  const std::span<Corner> corners(corners_.data(), count);
+  const Box box = pen.box();
+  corners.front() = corners.back();
+  if (box.low_column < 0 || box.low_row < 0) {
+    for (Corner& corner : corners) {
+      corner.column = floor_of(corner.x);
+      corner.row = floor_of(corner.y);
+    }
+  }
+  return {corners, box};
+}
+
+// The far side; `full`: all around.
 template <bool full>
-void ScanStar::draw(const Scan& scan, double cell_m, Pen& out) {
+void ScanStar::draw(const Scan& scan, double cell_m, const Part& part, Pen& out) {
   Pen pen = out;  // in registers
   const double* const range_m = scan.range_m.data();
-  const double max_range_m = scan.max_range_m;
-  // The surface between two beams may stand out towards the sensor: a right-angled corner by half
-  // their spacing.
-  const double shortened = 1 - 0.5 * scan.beams->bearing_step_rad;
-  const auto free_length_m = [=](double range) {
-    if (range == max_range_m) return range;
-    return range > 0 && range < max_range_m ? range * shortened : 0;
-  };
-  const std::size_t beams = scan.size();
-  const std::size_t triangles = full ? beams : beams - 1;
+  const std::size_t beams = scan.size(), end = part.end;
+  const double max_range_m = scan.max_range_m, longest_m = part.longest_m;
+  const double share = free_share(scan);
   const auto wrapped = [beams](std::size_t i) { return full && i == beams ? 0 : i; };
-  const auto direction_cells = [&](std::size_t i) -> Vec2 {
-    return scan.direction_world(i) / cell_m;
+  const auto free_m = [=](std::size_t i) {
+    return free_length_m(range_m[wrapped(i)], max_range_m, share, longest_m);
   };
-  const std::size_t chord = beams_per_chord(scan.beams->bearing_step_rad, beams);
+  const auto direction_cells = [&](std::size_t i) -> Vec2 {
+    return scan.direction_world(wrapped(i)) / cell_m;
+  };
+  const std::size_t chord = beams_across(kChord_rad, scan);
 
-  Vec2 direction = direction_cells(0);
-  if (!full) pen.add(0, direction);
-  double before_m = full ? -1 : 0;  // how far from the sensor the outline came to beam i
-  double length_m = free_length_m(range_m[0]);
-  for (std::size_t i = 0; i < triangles;) {
+  Vec2 direction = direction_cells(part.first);
+  if (!full) pen.add(part.shortest_m, direction);
+  double before_m = full ? -1 : part.shortest_m;  // how far the outline came on beam i
+  double length_m = free_m(part.first);
+  for (std::size_t i = part.first; i < end;) {
     std::size_t next = i + 1;
-    const double next_m = free_length_m(range_m[wrapped(next)]);
+    const double next_m = free_m(next);
     const double both_m = length_m < next_m ? length_m : next_m;
-    if (both_m == max_range_m) {
-      const std::size_t farthest = std::min(triangles, i + chord);
-      while (next < farthest && range_m[wrapped(next + 1)] == max_range_m) ++next;
+    if (both_m == longest_m) {
+      const std::size_t farthest = std::min(end, i + chord);
+      while (next < farthest && free_m(next + 1) == longest_m) ++next;
     }
     if (both_m != before_m) pen.add(both_m, direction);
-    direction = direction_cells(wrapped(next));
+    direction = direction_cells(next);
     pen.add(both_m, direction);
     before_m = both_m;
     length_m = next_m;
     i = next;
   }
   out = pen;
+}
+
+// The near side, from the last beam to the second.
+void ScanStar::draw_back(const Scan& scan, double cell_m, const Part& part, Pen& pen) {
+  if (part.shortest_m == 0) return;
+  const std::size_t chord = beams_across(kFirstChord_rad, scan);
+  for (std::size_t i = part.end; i > part.first; i -= std::min(chord, i - part.first))
+    pen.add(part.shortest_m, scan.direction_world(i) / cell_m);
 }
 
 }  // namespace voronaut

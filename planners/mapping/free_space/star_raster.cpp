@@ -26,8 +26,8 @@ void merge(std::uint64_t* __restrict inside, std::uint64_t* __restrict touched,
 
 }  // namespace
 
-void StarRaster::fill(const ScanStar& star, int columns, int rows, BitTiles& bits) {
-  const ScanStar::Box& box = star.box();
+void StarRaster::fill(const ScanStar::Outline& star, int columns, int rows, BitTiles& bits) {
+  const ScanStar::Box& box = star.box;
   // Places on an edge are rounded: they may leave the box of its ends by one column.
   const int low_column = box.low_column - 1, high_column = box.high_column + 1;
   first_word_ = word_of(std::max(0, low_column));
@@ -41,7 +41,7 @@ void StarRaster::fill(const ScanStar& star, int columns, int rows, BitTiles& bit
                           box.high_row < rows && end_row - first_row_ <= rows_at_once;
   for (; first_row_ < end_row; first_row_ += rows_at_once) {
     rows_ = static_cast<std::size_t>(std::min(rows_at_once, end_row - first_row_));
-    fill_window(star.corners(), all_inside, columns, bits);
+    fill_window(star.corners, all_inside, columns, bits);
   }
 }
 

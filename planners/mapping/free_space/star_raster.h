@@ -16,7 +16,7 @@ class StarRaster {
  public:
   // Cells from (0, 0) to (columns - 1, rows - 1) are set, no others. O(corners + rows that edges
   // cross + words of the box around the star); no allocation in steady state.
-  void fill(const ScanStar& star, int columns, int rows, BitTiles& bits);
+  void fill(const ScanStar::Outline& star, int columns, int rows, BitTiles& bits);
 
  private:
   using Corner = ScanStar::Corner;

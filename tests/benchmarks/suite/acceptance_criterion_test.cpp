@@ -126,6 +126,31 @@ TEST(AcceptanceCriterion, ComparesSpeedsInWorldsThatBothFinished) {
   EXPECT_FALSE(examine(criterion, flights).holds);
 }
 
+// Ratios of 0.98 and 1.02 by turns: 1 in the mean, and 1.96 x 0.02 / sqrt(100) less at its lower
+// end.
+TEST(AcceptanceCriterion, BoundsTheLowerEndOfASpeedRatio) {
+  std::vector<RunRecord> flights;
+  for (int world = 0; world < 100; ++world) {
+    for (const char* planner : {"careful", "bold"}) {
+      RunRecord flight = record(planner, Outcome::goal_reached, 0.4, 1.0);
+      flight.repetition = world;
+      flight.speed_mean_m_s = planner[0] == 'b' ? 2 : world % 2 == 0 ? 1.96 : 2.04;
+      flights.push_back(flight);
+    }
+  }
+  AcceptanceCriterion criterion;
+  criterion.planner = "careful";
+  criterion.speed_beside = "bold";
+  criterion.speed_ratio_min = 0.99;
+  criterion.speed_ratio_lower_min = 0.995;
+  EXPECT_TRUE(examine(criterion, flights).holds);
+  EXPECT_EQ(examine(criterion, flights).text,
+            "careful: mean speed >= 0.99 x bold (1.000 over 100); its lower bound >= 0.995 x bold "
+            "(0.996 over 100)");
+  criterion.speed_ratio_lower_min = 0.997;
+  EXPECT_FALSE(examine(criterion, flights).holds);
+}
+
 TEST(AcceptanceCriterion, BoundsEveryStatisticWhereItCanBeWorse) {
   for (const Statistic& one : statistics()) {
     AcceptanceCriterion criterion;

@@ -133,6 +133,20 @@ TEST(SuiteConfig, ReadsEachWayToCountABudget) {
             "s.yaml:5: key 'budget.stop': expected one of first, budget, got 'last'");
 }
 
+TEST(SuiteConfig, AdmitsWorldsForTheVehicleThatKeepsMost) {
+  const auto definition = [](const std::string& vehicles, const std::string& generator) {
+    return read("suite: s\nscenarios: [{generator: {name: walls" + generator + "}}]\nvehicles: [" +
+                vehicles + "]\nplanners: [RRTConnect]\n")
+        .scenarios[0]
+        .definition();
+  };
+  const std::string two =
+      "{name: ideal, params: {planning_clearance_m: 0.3}}, "
+      "{name: quadrotor, params: {planning_clearance_m: 0.36}}";
+  EXPECT_EQ(definition(two, ""), definition("ideal", ", admission_clearance_m: 0.378"));
+  EXPECT_NE(definition(two, ""), definition("ideal", ""));
+}
+
 TEST(SuiteConfig, SaysInOneLineWhatIsWrong) {
   unsetenv("VORONAUT_DATA");  // one of the messages is about its absence
   const std::string keys =

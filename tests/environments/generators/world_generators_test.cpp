@@ -129,6 +129,26 @@ TEST(WorldGenerators, AdmitOnlyWorldsWithAPath) {
   }
 }
 
+TEST(WorldGenerators, AdmitWhatADiscATwentiethLargerThanThePlanningClearanceCanCross) {
+  const auto admitted = [](const std::string& text, double planning_clearance_m) {
+    WorldGenerator generator = generator_of(text);
+    generator.admit_for(planning_clearance_m);
+    for (const auto& [key, value] : generator.entries())
+      if (key == "admission_clearance_m") return value;
+    return std::string();
+  };
+  EXPECT_EQ(admitted("{name: forest}", 0.4), "0.42");
+  EXPECT_EQ(admitted("{name: forest}", 0.31), "0.326") << "rounded up";
+  EXPECT_EQ(admitted("{name: forest, admission_clearance_m: 0.5}", 0.31), "0.5") << "given";
+  EXPECT_EQ(admitted("{name: narrow_gaps}", 0.31), "0") << "every draw is admitted";
+  // A gap of 0.75 m, for 0.4 m and for 0.35 m.
+  WorldGenerator walls = generator_of("{name: walls, gap_m: 0.75, draws_max: 3}");
+  walls.admit_for(0.4);
+  EXPECT_THROW(walls.generate(1), ConfigError);
+  walls.admit_for(0.35);
+  EXPECT_NO_THROW(walls.generate(1));
+}
+
 TEST(WorldGenerators, RefuseWorldsThatNobodyCanCross) {
   const WorldGenerator hopeless = generator_of("{name: walls, gap_m: 0.8, draws_max: 3}");
   EXPECT_THROW(hopeless.generate(1), ConfigError);

@@ -358,6 +358,8 @@ TEST(FreeSpace, KnowsFarViewsToo) {
 TEST(FreeSpace, RefusesBoundsOfMoreCellsThanItCounts) {
   EXPECT_THROW(FreeSpace({Vec2(0, 0), Vec2(1e6, 1)}), std::invalid_argument);
   EXPECT_THROW(FreeSpace({Vec2(0, 0), Vec2(0, 1)}), std::invalid_argument);
+  for (const int splits : {0, 3, 16})
+    EXPECT_THROW(FreeSpace(kBounds, {.splits = splits}), std::invalid_argument);
 }
 
 // Property: the row by row test of a swept disc equals asking every cell that it touches.
@@ -405,12 +407,154 @@ TEST(FreeSpace, SweptDiscIsFreeExactlyIfEveryCellItTouchesIs) {
   EXPECT_GT(free_count, 10);
 }
 
+// What a near part of a star is known to hold: its own definition, a disc around each surface.
+bool lies_beside_a_surface(const Scan& scan, const Vec2& middle_world, double near_m,
+                           double beside_m) {
+  for (std::size_t i = 0; i < scan.size(); ++i)
+    if (scan.is_return(i) && scan.range_m[i] < near_m &&
+        (scan.point_world(i) - middle_world).norm() < beside_m)
+      return true;
+  return false;
+}
+
+// Scans are taken by turns: what a whole star proves, and what it proves beside near surfaces.
+void see(FreeSpace& space, const Scan& scan) {
+  space.update(scan);
+  space.update(scan);
+}
+
+// Property: cell by cell and part by part, nothing is known free that no single star covers, and
+// beside surfaces that are near all that one covers is.
+TEST(FreeSpace, KnowsPartsOfCellsBesideSurfacesAndNoneThatNoStarCovers) {
+  constexpr double kCell_m = 0.1, kNear_m = 1.0;
+  std::size_t free_parts = 0, wanted_parts = 0, compared = 0;
+  for (std::uint64_t seed = 1; seed <= 24; ++seed) {
+    Random random(seed);
+    const int splits = seed % 3 == 0 ? 4 : 8;
+    const double part_m = kCell_m / splits;
+    const Vec2 corner(random.uniform(-30, 30), random.uniform(-30, 30));
+    const Bounds narrow{corner, corner + Vec2(random.uniform(3, 8), random.uniform(3, 8))};
+    const Bounds wide{corner - Vec2(8000, 9000), corner + Vec2(9'000, 9'000)};
+    const Bounds bounds = seed % 2 ? narrow : wide;
+    FreeSpace space(bounds, {.cell_m = kCell_m, .splits = splits, .near_m = kNear_m});
+    const Vec2 around = seed % 4 < 2 ? narrow.min : Vec2(0.5 * (narrow.min + narrow.max));
+    std::vector<Circle> circles;
+    for (int i = 0; i < 10; ++i)
+      circles.push_back({around + Vec2(random.uniform(-1.5, 1.5), random.uniform(-1.5, 1.5)),
+                         random.uniform(0.05, 0.4)});
+    std::vector<Scan> scans;
+    std::vector<std::vector<Vec2>> cell_outlines, part_outlines;
+    for (int i = 0; i < 3; ++i) {
+      const Vec2 p = around + Vec2(random.uniform(-1, 1), random.uniform(-1, 1));
+      const Vec2 heading = Vec2(random.uniform(-1, 1), random.uniform(-1, 1)).normalized();
+      Scan scan = i == 0   ? look(p, heading, circles)
+                  : i == 1 ? look(p, heading, circles, kFullCircle_rad, 360)
+                           : look(p, heading, circles, 3 * kRightAngle_rad, 61);
+      if (seed % 5 == 0) scan.range_m[scan.size() / 3] = 0;
+      see(space, scan);
+      cell_outlines.push_back(outline_of(scan, bounds.min, kCell_m));
+      part_outlines.push_back(outline_of(scan, bounds.min, part_m));
+      scans.push_back(scan);
+    }
+    const auto covered = [](const std::vector<std::vector<Vec2>>& outlines, int column, int row) {
+      int most = -1;
+      for (const std::vector<Vec2>& outline : outlines)
+        most = std::max(most, lies_within(outline, column, row));
+      return most;
+    };
+    const Vec2 size = (bounds.max - bounds.min) / part_m;
+    const Vec2 middle_part = (around - bounds.min) / part_m;
+    for (int i = 0; i < 12'000; ++i) {
+      const int column = static_cast<int>(middle_part.x() + random.uniform(-2, 2) / part_m);
+      const int row = static_cast<int>(middle_part.y() + random.uniform(-2, 2) / part_m);
+      const Vec2 middle = bounds.min + part_m * Vec2(column + 0.5, row + 0.5);
+      const bool inside = column >= 0 && row >= 0 && column < size.x() && row < size.y();
+      const int in_cells =
+          covered(cell_outlines, column >= 0 ? column / splits : -1, row >= 0 ? row / splits : -1);
+      const int in_parts = covered(part_outlines, column, row);
+      const bool known = space.is_free(middle);
+      ++compared;
+      if (known) {
+        ++free_parts;
+        ASSERT_TRUE(inside && (in_cells >= 0 || in_parts >= 0))
+            << "seed " << seed << " column " << column << " row " << row;
+        continue;
+      }
+      ASSERT_FALSE(inside && in_cells > 0) << "seed " << seed << " " << column << " " << row;
+      // The one scan of a full circle has a seam, the others have none.
+      for (const std::size_t k : {std::size_t{0}, std::size_t{2}}) {
+        if (!inside || lies_within(part_outlines[k], column, row) <= 0) continue;
+        const double away_m = (middle - scans[k].sensor_world.p_world).norm();
+        const bool wanted =
+            away_m < 0.9 * kNear_m && lies_beside_a_surface(scans[k], middle, 0.95 * kNear_m, 0.1);
+        ASSERT_FALSE(wanted) << "seed " << seed << " scan " << k << " " << column << " " << row;
+      }
+    }
+    wanted_parts += space.free_parts();
+  }
+  EXPECT_GT(compared, 250'000U);
+  EXPECT_GT(free_parts, 50'000U);
+  EXPECT_GT(wanted_parts, 20'000U);
+}
+
+// Property: the same of a swept disc, against asking the part in each place.
+TEST(FreeSpace, SweptDiscIsFreeExactlyIfEveryPartItTouchesIs) {
+  constexpr double kPart_m = 0.0125;
+  int free_count = 0, refused = 0, in_parts = 0;
+  for (std::uint64_t seed = 1; seed <= 40; ++seed) {
+    Random random(seed);
+    FreeSpace space(kBounds, {.cell_m = 0.1, .splits = 8});
+    std::vector<Circle> circles;
+    for (int i = 0; i < 5; ++i)
+      circles.push_back(
+          {Vec2(random.uniform(-0.8, 0.8), random.uniform(-0.8, 0.8)), random.uniform(0.05, 0.2)});
+    for (int i = 0; i < 10; ++i) {
+      const Vec2 p(random.uniform(-1, 1), random.uniform(-1, 1));
+      if (std::ranges::any_of(
+              circles, [&](const Circle& c) { return (c.center - p).norm() < c.radius_m + 0.02; }))
+        continue;
+      see(space, look(p, Vec2(1, 0), circles, kFullCircle_rad, 360));
+    }
+    for (int i = 0; i < 100; ++i) {
+      const Vec2 a(random.uniform(-1, 1), random.uniform(-1, 1));
+      const Vec2 b = a + Vec2(random.uniform(-0.3, 0.3), random.uniform(-0.3, 0.3));
+      const double radius_m = random.uniform(0.02, 0.2);
+      bool all_free = true, close_call = false;
+      for (double y = -1.6; y < 1.6; y += kPart_m) {
+        for (double x = -1.6; x < 1.6; x += kPart_m) {
+          const Vec2 low(std::round(x / kPart_m) * kPart_m, std::round(y / kPart_m) * kPart_m);
+          const Vec2 middle = low + Vec2::Constant(0.5 * kPart_m);
+          const double middle_m = distance(middle, Segment{a, b});
+          if (middle_m > radius_m + kPart_m) continue;
+          double nearest_m = middle_m;
+          for (int k = 0; k <= 100; ++k) {
+            const Vec2 q = a + (b - a) * (k / 100.0);
+            const Vec2 in = q.cwiseMax(low).cwiseMin(low + Vec2::Constant(kPart_m));
+            nearest_m = std::min(nearest_m, (q - in).norm());
+          }
+          if (std::abs(nearest_m - radius_m) < 2e-4)
+            close_call = close_call || !space.is_free(middle);
+          if (nearest_m <= radius_m && !space.is_free(middle)) all_free = false;
+        }
+      }
+      if (close_call) continue;
+      ASSERT_EQ(space.swept_disc_is_free(a, b, radius_m), all_free) << "seed " << seed << " " << i;
+      free_count += all_free;
+      refused += !all_free;
+    }
+    in_parts += space.free_parts() > 0;
+  }
+  EXPECT_GT(free_count, 200);
+  EXPECT_GT(refused, 200);
+  EXPECT_EQ(in_parts, 40);
+}
+
 TEST(FreeSpace, NamesEveryUnknownCellThatATubeTouches) {
   Random random(5);
   std::vector<Vec2> unknown;
   int refused = 0;
   for (int round = 0; round < 400; ++round) {
-    FreeSpace space(kBounds);
+    FreeSpace space(kBounds, {.cell_m = 0.05, .splits = round % 2 ? 1 : 4});
     space.mark_disc(Vec2(0, 0), random.uniform(0.5, 1.5));
     std::vector<Vec2> corners;
     for (int i = 0; i < 3; ++i)
@@ -425,7 +569,7 @@ TEST(FreeSpace, NamesEveryUnknownCellThatATubeTouches) {
       EXPECT_FALSE(space.is_free(middle));
       const double distance_m = std::min(distance(middle, Segment{corners[0], corners[1]}),
                                          distance(middle, Segment{corners[1], corners[2]}));
-      EXPECT_LE(distance_m, radius_m + space.cell_radius_m());
+      EXPECT_LE(distance_m, radius_m + space.part_radius_m());
     }
   }
   EXPECT_GT(refused, 50);
