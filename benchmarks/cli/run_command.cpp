@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <chrono>
 #include <csignal>
 #include <ctime>
@@ -36,7 +37,33 @@ std::string utc_now() {
   return text;
 }
 
-ExitCode report_run(const RunReport& run, const OutputFolder& folder,
+// Says what became of the acceptance criteria; false if one is broken. Of a planner that was left
+// out (--planners) nothing is demanded.
+bool criteria_hold(const SuiteConfig& suite, const OutputFolder& folder, std::ostream& out) {
+  if (suite.acceptance.empty()) return true;
+  const std::vector<RunRecord> records = folder.store().records();
+  const auto is_left_out = [&](const std::string& label) {
+    return !label.empty() &&
+           std::ranges::none_of(suite.planners, [&](auto& p) { return p.label == label; }) &&
+           std::ranges::none_of(records, [&](auto& r) { return r.planner == label; });
+  };
+  bool all_hold = true;
+  out << "acceptance:\n";
+  for (const AcceptanceCriterion& criterion : suite.acceptance) {
+    if (is_left_out(criterion.planner) || is_left_out(criterion.speed_beside)) {
+      out << "  not judged: "
+          << (is_left_out(criterion.planner) ? criterion.planner : criterion.speed_beside)
+          << " was left out\n";
+      continue;
+    }
+    const Finding finding = examine(criterion, records);
+    all_hold = all_hold && finding.holds;
+    out << (finding.holds ? "  holds: " : "  broken: ") << finding.text << "\n";
+  }
+  return all_hold;
+}
+
+ExitCode report_run(const RunReport& run, const SuiteConfig& suite, const OutputFolder& folder,
                     const CommandContext& context) {
   folder.write_csv();
   folder.write_report();
@@ -51,8 +78,9 @@ ExitCode report_run(const RunReport& run, const OutputFolder& folder,
   if (failed > 0)
     context.out << failed << " of " << trials
                 << " trials ended as crash, killed, memory or invalid\n";
+  const bool accepted = criteria_hold(suite, folder, context.out);
   context.out << "report: " << folder.file("report.html").string() << std::endl;
-  return failed > 0 ? ExitCode::failure : ExitCode::success;
+  return failed > 0 || !accepted ? ExitCode::failure : ExitCode::success;
 }
 
 // Its rows are the business of whoever merges them; that it is complete is said by its results.csv.
@@ -105,7 +133,7 @@ ExitCode execute(const RunOptions& options, const CommandContext& context) {
     const FlownPart flown = fly_missing(suite, options.jobs, part, folder, context);
     if (flown.ended) return *flown.ended;
     return part.shard ? report_shard(*part.shard, folder, context)
-                      : report_run(flown.run, folder, context);
+                      : report_run(flown.run, suite, folder, context);
   } catch (const std::exception& error) {  // the input was fine: a full disk, no more processes
     context.err << "voronaut: " << error.what() << std::endl;
     return ExitCode::failure;
