@@ -88,14 +88,14 @@ std::string command_names(const std::vector<CompletedCommand>& commands) {
   return text + "--help --version";
 }
 
-// What may come next, as bash and zsh both read it: in `options` those of the command, in `values`
+// What may come next, as bash and zsh both read it: in `switches` the options of the command, in `values`
 // what the option before takes, in `names` what else may stand here.
 std::string cases(const std::vector<CompletedCommand>& commands) {
   std::string options = "  case $command in\n";
   std::string values = "  case \"$command $previous\" in\n";
   std::string firsts = "  case $command in\n";
   for (const CompletedCommand& command : commands) {
-    options += "    " + command.name + ") options='" + option_names(command) + "' ;;\n";
+    options += "    " + command.name + ") switches='" + option_names(command) + "' ;;\n";
     for (const CompletedOption& option : command.options) {
       if (option.choices.empty()) continue;
       std::string pattern;
@@ -121,7 +121,7 @@ std::string bash(const std::vector<CompletedCommand>& commands) {
          "_voronaut() {\n"
          "  local word=${COMP_WORDS[COMP_CWORD]} previous=${COMP_WORDS[COMP_CWORD-1]}\n"
          "  local command=${COMP_WORDS[1]} first=${COMP_WORDS[2]} nth=$COMP_CWORD\n"
-         "  local options= values= names=\n"
+         "  local switches= values= names=\n"
          "  COMPREPLY=()\n"
          "  if [ \"$nth\" -eq 1 ]; then\n"
          "    COMPREPLY=($(compgen -W '" +
@@ -133,7 +133,7 @@ std::string bash(const std::vector<CompletedCommand>& commands) {
          "  if [ -n \"$values\" ]; then\n"
          "    COMPREPLY=($(compgen -W \"$values\" -- \"$word\"))\n"
          "  elif [[ $word == -* ]]; then\n"
-         "    COMPREPLY=($(compgen -W \"$options\" -- \"$word\"))\n"
+         "    COMPREPLY=($(compgen -W \"$switches\" -- \"$word\"))\n"
          "  else\n"
          "    [[ $previous == -* ]] && names=\n"
          "    COMPREPLY=($(compgen -W \"$names\" -- \"$word\") $(compgen -f -- \"$word\"))\n"
@@ -148,7 +148,7 @@ std::string zsh(const std::vector<CompletedCommand>& commands) {
          "_voronaut() {\n"
          "  local word=$words[CURRENT] previous=$words[CURRENT-1]\n"
          "  local command=$words[2] first=$words[3] nth=$((CURRENT - 1))\n"
-         "  local options= values= names=\n"
+         "  local switches= values= names=\n"
          "  if [ \"$nth\" -eq 1 ]; then\n"
          "    compadd -- " +
          command_names(commands) +
@@ -159,7 +159,7 @@ std::string zsh(const std::vector<CompletedCommand>& commands) {
          "  if [ -n \"$values\" ]; then\n"
          "    compadd -- ${=values}\n"
          "  elif [[ $word == -* ]]; then\n"
-         "    compadd -- ${=options}\n"
+         "    compadd -- ${=switches}\n"
          "  else\n"
          "    [[ $previous == -* ]] || compadd -- ${=names}\n"
          "    _files\n"

@@ -220,15 +220,27 @@ TEST_F(CommandLine, ARunSaysWhatBecameOfItsCriteriaAndFailsIfOneIsBroken) {
   const Answer holds = with_criteria("{collision_share_max: 0}");
   EXPECT_EQ(holds.exit_code, 0) << holds.err;
   EXPECT_THAT(holds.out,
-              HasSubstr("acceptance:\n  holds: every trial: collision <= 0 % (0 of 2)\n"));
-  const Answer broken =
-      with_criteria("{planner: RRTConnect, goal_reached_share_max: 0}, {collision_share_max: 0}");
+              HasSubstr("acceptance:\n  holds: every trial: collisions <= 0 % (0 of 2)\n"));
+  const Answer broken = with_criteria(
+      "{planner: RRTConnect, clearance_smallest_m_min: 90}, {collision_share_max: 0}");
   EXPECT_EQ(broken.exit_code, 1);
   EXPECT_THAT(broken.out, HasSubstr("  broken: RRTConnect: "));
   EXPECT_THAT(broken.out, HasSubstr("  holds: every trial: "));
   const Answer part = voronaut("run judged.yaml --planners PotentialField --out part");
   EXPECT_EQ(part.exit_code, 0) << part.out;
   EXPECT_THAT(part.out, HasSubstr("  not judged: RRTConnect was left out\n"));
+}
+
+TEST_F(CommandLine, AFirstSuiteWithoutKeysReachesTheGoal) {
+  write("first.yaml",
+        "suite: first\nrepetitions: 5\nscenarios:\n"
+        "  - {name: wood, generator: {name: forest, side_m: 12, density_per_m2: 0.12}}\n"
+        "  - {name: flat, generator: {name: rooms}}\n"
+        "vehicles: [quadrotor]\nplanners: [VoronoiRoadmap, RRTConnect]\n"
+        "acceptance: [{goal_reached_share_min: 1}]\n");
+  const Answer run = voronaut("run first.yaml");
+  EXPECT_EQ(run.exit_code, 0) << run.err;
+  EXPECT_THAT(run.out, HasSubstr("  holds: every trial: goal reached >= 100 % (20 of 20)\n"));
 }
 
 TEST_F(CommandLine, BeginsWithAFolderThatRuns) {

@@ -273,9 +273,10 @@ TEST(SuiteConfig, SaysInOneLineWhatIsWrong) {
        "s.yaml:5: key 'mapping.merge_m': unknown key (allowed: link_distance_m, "
        "thinning_distance_m, merge_distance_m)"},
       {suite_with("navigation", "papre"),
-       "s.yaml:5: key 'navigation': expected one of careful, paper, got 'papre'"},
+       "s.yaml:5: key 'navigation': expected one of careful, paper, got 'papre' (did you mean "
+       "'paper'?)"},
       {suite_with("navigation", "[paper]"),
-       "s.yaml:5: key 'navigation': expected a map of keys, got a list"},
+       "s.yaml:5: key 'navigation': expected a map of keys, got a list of 1"},
       {suite_with("range_finder", "paper"),
        "s.yaml:5: key 'range_finder': expected a map of keys, got 'paper'"},
       {suite_with("navigation", "{yaw_policy: sideways}"),
