@@ -88,8 +88,8 @@ std::string command_names(const std::vector<CompletedCommand>& commands) {
   return text + "--help --version";
 }
 
-// What may come next, as bash and zsh both read it: in `switches` the options of the command, in `values`
-// what the option before takes, in `names` what else may stand here.
+// What may come next, as bash and zsh both read it: in `switches` the options of the command, in
+// `values` what the option before takes, in `names` what else may stand here.
 std::string cases(const std::vector<CompletedCommand>& commands) {
   std::string options = "  case $command in\n";
   std::string values = "  case \"$command $previous\" in\n";
