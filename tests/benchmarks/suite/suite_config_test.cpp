@@ -113,6 +113,8 @@ TEST(SuiteConfig, IsCarefulUnlessItSaysOtherwise) {
 
 TEST(SuiteConfig, APresetSaysEveryKeyAndOthersHoldOverIt) {
   NavigationConfig paper = NavigationConfig::paper();
+  EXPECT_FALSE(paper.governor || paper.look_around || paper.recovery);
+  EXPECT_EQ(paper.yaw_policy, YawReference::fixed);
   EXPECT_EQ(navigation_of(read(suite_with("navigation", "paper")), 0), canonical_text(paper));
   paper.recovery = true;
   EXPECT_EQ(navigation_of(read(suite_with("navigation", "{recovery: true, preset: paper}")), 0),
