@@ -7,6 +7,16 @@ install(DIRECTORY ${PROJECT_SOURCE_DIR}/benchmarks/suites ${PROJECT_SOURCE_DIR}/
   DESTINATION ${CMAKE_INSTALL_DATADIR}/voronaut COMPONENT runtime FILES_MATCHING PATTERN "*.yaml")
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/benchmarks/schema
   DESTINATION ${CMAKE_INSTALL_DATADIR}/voronaut COMPONENT runtime)
+
+# Completion in shells, printed by the program when it was built (benchmarks/CMakeLists.txt).
+set(completions ${PROJECT_BINARY_DIR}/completions)
+install(FILES ${completions}/bash/voronaut
+  DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions COMPONENT runtime)
+install(FILES ${completions}/zsh/_voronaut
+  DESTINATION ${CMAKE_INSTALL_DATADIR}/zsh/vendor-completions COMPONENT runtime)
+install(FILES ${completions}/fish/voronaut.fish
+  DESTINATION ${CMAKE_INSTALL_DATADIR}/fish/vendor_completions.d COMPONENT runtime)
+
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/benchmarks/examples
   DESTINATION ${CMAKE_INSTALL_DATADIR}/voronaut COMPONENT development)
 

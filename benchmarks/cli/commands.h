@@ -38,6 +38,8 @@ ExitCode execute(const StatusOptions& options, const CommandContext& context);
 ExitCode execute(const SubmitOptions& options, const CommandContext& context);
 ExitCode execute(const CancelOptions& options, const CommandContext& context);
 ExitCode execute(const TuneOptions& options, const CommandContext& context);
+ExitCode execute(const InitOptions& options, const CommandContext& context);
+ExitCode execute(const CompletionOptions& options, const CommandContext& context);
 
 // The suite that is asked for, as text; and where its results go.
 SuiteSource source_of(const SuiteChoice& choice);

@@ -129,7 +129,7 @@ ExitCode execute(const CompareOptions& options, const CommandContext& context) {
   if (!options.published.empty()) return compare_published(options, context);
   const bool within = options.planners.size() == 2;
   if (options.folders.size() != (within ? 1U : 2U))
-    throw std::invalid_argument("compare: expected two folders, or one with --planners X Y");
+    throw std::invalid_argument("compare: expected two folders, or one with --planners X,Y");
   const RunComparison comparison =
       within ? compare_planners(options) : compare_folders(options, context);
   if (comparison.pairs == 0)

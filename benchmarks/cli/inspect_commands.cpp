@@ -1,14 +1,19 @@
 #include <algorithm>
 #include <iomanip>
 #include <ostream>
+#include <stdexcept>
 
 #include "voronaut/benchmarks/cli/commands.h"
 #include "voronaut/benchmarks/cli/dry_run.h"
+#include "voronaut/benchmarks/cli/named_scenarios.h"
 #include "voronaut/benchmarks/isolation/child_process.h"
+#include "voronaut/benchmarks/keys/file_keys.h"
 #include "voronaut/benchmarks/responses/response_tables.h"
 #include "voronaut/benchmarks/suite/shipped_files.h"
 #include "voronaut/benchmarks/suite/suite_config.h"
 #include "voronaut/benchmarks/suite/suite_trials.h"
+#include "voronaut/environments/config/key_facts.h"
+#include "voronaut/environments/config/nearest_name.h"
 #include "voronaut/environments/formats/data_sets.h"
 #include "voronaut/environments/formats/foreign_formats.h"
 #include "voronaut/environments/generators/world_generators.h"
@@ -41,14 +46,17 @@ ListedRows vehicle_rows() {
   return rows;
 }
 
-ListedRows scenario_rows() {
-  ListedRows rows = rows_of(shipped_files("scenarios"));
-  for (const std::string& name : WorldGenerator::names())
-    rows.emplace_back("generator: {name: " + name + "}", "random worlds");
-  for (const std::string& name : data_set_names())
-    rows.emplace_back("dataset: " + name, "real worlds, from --data or VORONAUT_DATA");
+ListedRows format_rows() {
+  ListedRows rows;
   for (const ForeignFormat& format : foreign_formats())
-    rows.emplace_back("world_file: (format " + format.name + ")", format.summary);
+    rows.emplace_back(format.name, format.summary);
+  return rows;
+}
+
+// Names and what is the same of all of them.
+ListedRows rows_of(const std::vector<std::string>& names, const std::string& summary) {
+  ListedRows rows;
+  for (const std::string& name : names) rows.emplace_back(name, summary);
   return rows;
 }
 
@@ -94,17 +102,73 @@ TextTable planner_table(const PlannerCatalog& planners) {
 }
 
 ListedRows rows_of(const std::string& what) {
-  ListedRows rows;
-  if (what == "vehicles") {
-    rows = vehicle_rows();
-  } else if (what == "regulators") {
-    for (const std::string& name : regulator_names()) rows.emplace_back(name, "");
-  } else if (what == "scenarios") {
-    rows = scenario_rows();
-  } else {
-    rows = rows_of(shipped_files("suites"));
+  if (what == "vehicles") return vehicle_rows();
+  if (what == "regulators") return rows_of(regulator_names(), "");
+  if (what == "generators")
+    return rows_of(WorldGenerator::names(), "random worlds, `generator: {name: ...}`");
+  if (what == "datasets")
+    return rows_of(data_set_names(), "`dataset: ...`, from --data or VORONAUT_DATA");
+  if (what == "formats") return format_rows();
+  return rows_of(shipped_files(what));
+}
+
+std::vector<std::string> names_of(const PlannerCatalog& planners) {
+  std::vector<std::string> names;
+  for (const PlannerEntry* entry : planners.entries()) names.push_back(entry->name);
+  return names;
+}
+
+TextTable parameter_table(const std::vector<KeyFact>& facts) {
+  using Align = TextTable::Align;
+  TextTable table{{{"parameter", Align::left},
+                   {"allowed", Align::left},
+                   {"unit", Align::left},
+                   {"default", Align::left},
+                   {"", Align::left}},
+                  {}};
+  for (const KeyFact& fact : facts)
+    table.rows.push_back(
+        {fact.key, allowed_text(fact), unit_of_key(fact.key), fact.default_text, fact.sentence});
+  return table;
+}
+
+template <class... Configs>
+std::string variant_parameters(const std::variant<Configs...>& config) {
+  return parameter_table(std::visit([](const auto& c) { return key_facts(c); }, config)).aligned();
+}
+
+std::string parameters_of_vehicle(const std::string& name) {
+  const VehicleSpec spec = find_vehicle(name);
+  return "params\n" + parameter_table(key_facts(spec)).aligned() + "\nmodel\n" +
+         variant_parameters(spec.model) + "\nregulator " + spec.regulator + ", params\n" +
+         variant_parameters(find_regulator(spec.regulator));
+}
+
+// What one planner, vehicle, regulator or family of worlds may be told.
+std::string parameters_text(const ListOptions& options, const PlannerCatalog& planners) {
+  const auto require = [&](const std::vector<std::string>& names) {
+    if (std::find(names.begin(), names.end(), options.name) == names.end())
+      throw std::invalid_argument("no " + options.what.substr(0, options.what.size() - 1) + " " +
+                                  in_quotes(options.name) + allowed_names(options.name, names));
+  };
+  if (options.what == "planners") {
+    require(names_of(planners));
+    return parameter_table(parameters_of(*planners.find(options.name))).aligned();
   }
-  return rows;
+  if (options.what == "vehicles") {
+    require(vehicle_names());
+    return parameters_of_vehicle(options.name);
+  }
+  if (options.what == "regulators") {
+    require(regulator_names());
+    return variant_parameters(find_regulator(options.name));
+  }
+  if (options.what == "generators") {
+    require(WorldGenerator::names());
+    return parameter_table(WorldGenerator::keys(options.name)).aligned();
+  }
+  throw std::invalid_argument("list " + options.what + ": takes no NAME (allowed after planners, " +
+                              "vehicles, regulators, generators)");
 }
 
 void check_suite(const CheckOptions& options, const CommandContext& context) {
@@ -120,6 +184,10 @@ void check_suite(const CheckOptions& options, const CommandContext& context) {
 }  // namespace
 
 ExitCode execute(const ListOptions& options, const CommandContext& context) {
+  if (!options.name.empty()) {
+    context.out << parameters_text(options, context.planners);
+    return ExitCode::success;
+  }
   if (options.what == "planners") {
     context.out << planner_table(context.planners).aligned();
     return ExitCode::success;
@@ -144,14 +212,13 @@ ExitCode execute(const ListOptions& options, const CommandContext& context) {
 }
 
 ExitCode execute(const CheckOptions& options, const CommandContext& context) {
-  const ConfigNode root = ConfigNode::read_file(find_suite(options.file).string());
-  const auto keys = {"suite", "planners", "vehicles", "include"};
-  if (!options.set.empty() ||
-      std::any_of(keys.begin(), keys.end(), [&](const char* key) { return root.find(key); })) {
+  const NamedScenarios found = find_scenarios(options.file, true, names_of(context.planners));
+  if (!options.set.empty() || found.is_suite) {
     check_suite(options, context);
     return ExitCode::success;
   }
-  for (const ScenarioSpec& scenario : read_scenarios(root, DataLocation::find(options.data))) {
+  for (const ScenarioSpec& scenario :
+       read_scenarios(found.root, DataLocation::find(options.data))) {
     scenario.instantiate(1);
     context.out << options.file << ": scenario '" << scenario.name() << "'\n";
   }

@@ -13,6 +13,14 @@ namespace voronaut {
 // What the help of the program and of each command ends with.
 extern const char* const kOptionsFooter;
 
+// A value that is one of these names.
+CLI::Validator one_of(const std::vector<std::string>& names);
+// An option of several values as one word, a,b,...; may be given again. It takes no other word, so
+// that none that is meant for something else is lost in it.
+CLI::Option* add_list(CLI::App* command, const std::string& name, std::vector<std::string>& values,
+                      const std::string& description);
+
+// With the examples of command_examples() in its help.
 CLI::App* add_command(CLI::App& app, const std::string& name, const std::string& summary);
 void add_folder(CLI::App* command, std::string& folder);
 void add_data(CLI::App* command, std::string& data);
@@ -23,6 +31,13 @@ void add_plugins(CLI::App* command, std::vector<std::string>& plugins);
 struct Commands {
   explicit Commands(CLI::App& app);
 
+  void add_init(CLI::App& app);
+  void add_list_command(CLI::App& app);
+  void add_check(CLI::App& app);
+  void add_summary(CLI::App& app);
+  void add_digest(CLI::App& app);
+  void add_evidence(CLI::App& app);
+  void add_completion(CLI::App& app);
   void add_run(CLI::App& app);
   void add_merge(CLI::App& app);
   void add_status(CLI::App& app);
@@ -39,6 +54,8 @@ struct Commands {
 
   Options chosen() const;  // of the command that was given
 
+  InitOptions init;
+  CompletionOptions completion;
   RunOptions run;
   SummaryOptions summary;
   ListOptions list;
@@ -58,6 +75,8 @@ struct Commands {
   CancelOptions cancel;
   TuneOptions tune;
 
+  CLI::App* init_command = nullptr;
+  CLI::App* completion_command = nullptr;
   CLI::App* run_command = nullptr;
   CLI::App* summary_command = nullptr;
   CLI::App* list_command = nullptr;

@@ -1,9 +1,13 @@
 #include "voronaut/benchmarks/cli/options.h"
 
+#include <algorithm>
 #include <ostream>
 
+#include "voronaut/benchmarks/cli/completion.h"
+#include "voronaut/benchmarks/cli/examples.h"
 #include "voronaut/benchmarks/cli/option_lists.h"
 #include "voronaut/benchmarks/results/build_info.h"
+#include "voronaut/environments/config/nearest_name.h"
 
 namespace voronaut {
 
@@ -13,9 +17,30 @@ const char* const kOptionsFooter =
     "invalid, a replay differed, a criterion is broken, a comparison is worse, the run was\n"
     "interrupted); 2 bad input.";
 
+CLI::Validator one_of(const std::vector<std::string>& names) {
+  std::string all;
+  for (const std::string& name : names) all += (all.empty() ? "{" : ",") + name;
+  return {[names](std::string& value) {
+            const bool known = std::find(names.begin(), names.end(), value) != names.end();
+            return known ? "" : "no " + in_quotes(value) + allowed_names(value, names);
+          },
+          all + "}"};
+}
+
+CLI::Option* add_list(CLI::App* command, const std::string& name, std::vector<std::string>& values,
+                      const std::string& description) {
+  return command->add_option(name, values, description)
+      ->delimiter(',')
+      ->expected(1)
+      ->allow_extra_args(false)
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+}
+
 CLI::App* add_command(CLI::App& app, const std::string& name, const std::string& summary) {
   CLI::App* command = app.add_subcommand(name, summary);
-  command->footer(kOptionsFooter);
+  std::string examples = "Examples:\n";
+  for (const std::string& example : command_examples(name)) examples += "  " + example + "\n";
+  command->footer(examples + "\n" + kOptionsFooter);
   return command;
 }
 
@@ -33,70 +58,113 @@ void add_settings(CLI::App* command, std::vector<std::string>& settings) {
                    "path=value instead of what the suite says, as planners.RRTConnect.range=0.5; "
                    "may be given again (docs/sweeps.md)")
       ->expected(1)
+      ->allow_extra_args(false)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
 }
 
 void add_plugins(CLI::App* command, std::vector<std::string>& plugins) {
   command->add_option("--plugin", plugins, "Shared library with planners; may be given again")
       ->expected(1)
+      ->allow_extra_args(false)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
 }
 
+// In the order in which they are needed.
 Commands::Commands(CLI::App& app) {
+  add_init(app);
+  add_check(app);
+  add_show(app);
   add_run(app);
-  summary_command = add_command(app, "summary", "Print what a run says about its planners");
-  add_folder(summary_command, summary.folder);
-  summary_command->add_flag("--json", summary.json, "As JSON");
-  summary_command->add_flag("--csv", summary.csv, "As CSV, every statistic with its interval")
-      ->excludes("--json");
-  list_command = add_command(app, "list", "Print what there is");
-  list_command->add_option("WHAT", list.what)
-      ->required()
-      ->check(CLI::IsMember(
-          {"planners", "vehicles", "regulators", "scenarios", "suites", "results", "responses"}));
-  add_plugins(list_command, list.plugins);
-  check_command = add_command(app, "check", "Validate a suite or scenario without running it");
-  check_command
-      ->add_option("FILE", check.file, "Suite or scenario file, or the name of a suite that ships")
-      ->required();
-  add_data(check_command, check.data);
-  add_settings(check_command, check.set);
-  add_plugins(check_command, check.plugins);
-  add_replay(app);
-  digest_command = add_command(app, "digest", "Print a hash of every deterministic result");
-  add_folder(digest_command, digest.folder);
-  digest_command->add_flag("--flights", digest.flights,
-                           "Of what was flown alone: no ids, names of keys, modes, reasons");
+  add_summary(app);
   add_report(app);
   add_compare(app);
-  evidence_command =
-      add_command(app, "evidence", "Hold the acceptance criteria of suites against results");
-  evidence_command->add_option("DIR", evidence.folders, "Folders of results")->required();
-  evidence_command->add_option("-o,--output", evidence.out, "Markdown file [standard output]");
-  add_plugins(evidence_command, evidence.plugins);
   add_plot(app);
-  add_show(app);
+  add_replay(app);
+  add_digest(app);
+  add_evidence(app);
   add_export(app);
+  add_list_command(app);
   add_schema(app);
-  add_merge(app);
-  add_status(app);
   add_submit(app);
+  add_status(app);
+  add_merge(app);
   add_cancel(app);
   add_tune(app);
+  add_completion(app);
 }
 
 Options Commands::chosen() const {
   const std::pair<const CLI::App*, Options> all[] = {
-      {run_command, run},       {summary_command, summary}, {list_command, list},
-      {check_command, check},   {replay_command, replay},   {digest_command, digest},
-      {report_command, report}, {compare_command, compare}, {evidence_command, evidence},
-      {show_command, show},     {export_command, exported}, {schema_command, schema},
-      {merge_command, merge},   {status_command, status},   {submit_command, submit},
-      {cancel_command, cancel}, {tune_command, tune},
+      {run_command, run},
+      {summary_command, summary},
+      {list_command, list},
+      {check_command, check},
+      {replay_command, replay},
+      {digest_command, digest},
+      {report_command, report},
+      {compare_command, compare},
+      {evidence_command, evidence},
+      {show_command, show},
+      {export_command, exported},
+      {schema_command, schema},
+      {merge_command, merge},
+      {status_command, status},
+      {submit_command, submit},
+      {cancel_command, cancel},
+      {tune_command, tune},
+      {init_command, init},
+      {completion_command, completion},
   };
   for (const auto& [command, options] : all)
     if (command->parsed()) return options;
   return plot;
+}
+
+namespace {
+
+std::vector<std::string> names_of_commands(const CLI::App& app) {
+  std::vector<std::string> names;
+  for (const CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; }))
+    names.push_back(command->get_name());
+  return names;
+}
+
+// A first word that is no command; CLI11 would miss one instead of naming it.
+std::string unknown_command(const CLI::App& app, int argc, const char* const* argv) {
+  if (argc < 2 || argv[1][0] == '-') return "";
+  const std::string word = argv[1];
+  const auto names = names_of_commands(app);
+  if (std::find(names.begin(), names.end(), word) != names.end()) return "";
+  return "no command " + in_quotes(word) + allowed_names(word, names);
+}
+
+// What a command was given and does not take.
+std::string unexpected(const CLI::App& app) {
+  const CLI::App* command = app.get_subcommands().front();
+  const std::string word = app.remaining(true).front();
+  std::string text = command->get_name() + ": " + in_quotes(word) + " was not expected";
+  std::vector<std::string> options;
+  std::string lists;
+  for (const CLI::Option* option : command->get_options()) {
+    for (const std::string& name : option->get_lnames()) options.push_back("--" + name);
+    if (option->get_delimiter() != '\0' && option->count() > 0)
+      lists += (lists.empty() ? "" : ", ") + option->get_name() + " a,b";
+  }
+  if (word.starts_with("-")) return text + allowed_names(word, options);
+  return lists.empty() ? text : text + " (values are joined by commas: " + lists + ")";
+}
+
+std::string in_one_line(std::string text) {
+  std::replace(text.begin(), text.end(), '\n', ' ');
+  return text;
+}
+
+}  // namespace
+
+std::string completion_script(const std::string& shell) {
+  CLI::App app("", "voronaut");
+  const Commands commands(app);
+  return completion_script(app, shell);
 }
 
 ParsedArguments parse_arguments(int argc, const char* const* argv, std::ostream& out,
@@ -108,18 +176,22 @@ ParsedArguments parse_arguments(int argc, const char* const* argv, std::ostream&
   const Commands commands(app);
   for (CLI::App* command : app.get_subcommands({}))
     command->set_version_flag("--version", version_line(), "Print the version and exit");
+  const auto refuse = [&err](const std::string& text) {
+    err << "voronaut: " << in_one_line(text) << " (--help shows what is possible)\n";
+    return ParsedArguments{std::nullopt, ExitCode::bad_input};
+  };
+  if (const std::string unknown = unknown_command(app, argc, argv); !unknown.empty())
+    return refuse(unknown);
   try {
     app.parse(argc, argv);
     return {commands.chosen(), ExitCode::success};
   } catch (const CLI::Success& success) {  // help or version
     app.exit(success, out, err);
     return {std::nullopt, ExitCode::success};
+  } catch (const CLI::ExtrasError&) {
+    return refuse(unexpected(app));
   } catch (const CLI::ParseError& error) {
-    std::string text = error.what();
-    for (char& c : text)
-      if (c == '\n') c = ' ';
-    err << "voronaut: " << text << " (--help shows what is possible)\n";
-    return {std::nullopt, ExitCode::bad_input};
+    return refuse(error.what());
   }
 }
 

@@ -67,8 +67,17 @@ struct SummaryOptions {
   bool csv = false;
 };
 
+struct InitOptions {
+  std::string folder;
+};
+
+struct CompletionOptions {
+  std::string shell;  // bash, zsh, fish
+};
+
 struct ListOptions {
   std::string what;
+  std::string name;  // one of them, whose parameters are asked for; empty: all
   std::vector<std::string> plugins;
 };
 
@@ -146,10 +155,11 @@ struct SchemaOptions {
   std::vector<std::string> plugins;
 };
 
-using Options = std::variant<RunOptions, SummaryOptions, ListOptions, CheckOptions, ReplayOptions,
-                             DigestOptions, ReportOptions, CompareOptions, EvidenceOptions,
-                             PlotOptions, ShowOptions, ExportOptions, SchemaOptions, MergeOptions,
-                             StatusOptions, SubmitOptions, CancelOptions, TuneOptions>;
+using Options =
+    std::variant<RunOptions, SummaryOptions, ListOptions, CheckOptions, ReplayOptions,
+                 DigestOptions, ReportOptions, CompareOptions, EvidenceOptions, PlotOptions,
+                 ShowOptions, ExportOptions, SchemaOptions, MergeOptions, StatusOptions,
+                 SubmitOptions, CancelOptions, TuneOptions, InitOptions, CompletionOptions>;
 
 // 0: done. 1: ran, but something failed. 2: bad input.
 enum class ExitCode { success = 0, failure = 1, bad_input = 2 };

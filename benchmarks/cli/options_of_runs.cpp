@@ -28,12 +28,16 @@ CLI::Option* add_suite_alone(CLI::App* command, SuiteChoice& choice,
 
 // The same with a choice of its planners.
 CLI::Option* add_suite(CLI::App* command, SuiteChoice& choice, const std::string& otherwise = {}) {
-  command->add_option("--planners", choice.planners, "Only these, by label: a,b,...")
-      ->delimiter(',');
+  add_list(command, "--planners", choice.planners, "Only these, by label: a,b,...");
   return add_suite_alone(command, choice, otherwise);
 }
 
 }  // namespace
+
+void Commands::add_init(CLI::App& app) {
+  init_command = add_command(app, "init", "Begin: write a suite, a scenario and a world to change");
+  init_command->add_option("DIR", init.folder, "A new folder, or an empty one")->required();
+}
 
 void Commands::add_run(CLI::App& app) {
   run_command = add_command(app, "run", "Fly a suite; complete what is missing of it");
@@ -67,7 +71,7 @@ void Commands::add_submit(CLI::App& app) {
   add_suite(submit_command, submit)->required();
   submit_command->add_option("--engine", submit.engine, "What starts the shards")
       ->required()
-      ->check(CLI::IsMember(engine_names()));
+      ->check(one_of(engine_names()));
   submit_command->add_option("--out", submit.out, "Folder of results [voronaut-results/<suite>]");
   submit_command->add_option("--shards", submit.shards, "How many [by the number of trials]")
       ->check(CLI::Range(std::size_t{1}, Shard::kCountMax));
@@ -86,15 +90,11 @@ void Commands::add_tune(CLI::App& app) {
       add_command(app, "tune", "Find better parameters of a planner on the worlds of a suite");
   add_suite_alone(tune_command, tune)->required();
   tune_command->add_option("--planner", tune.planner, "Which one, by label")->required();
-  tune_command
-      ->add_option("--over", tune.over,
-                   "Its keys and their bounds: range=0.1:5:log,goal_bias=0:0.5; log: equal ratios")
-      ->required()
-      ->delimiter(',');
-  tune_command
-      ->add_option("--for", tune.objectives,
-                   "What counts, equally: success, statistics or columns [success,path_ratio]")
-      ->delimiter(',');
+  add_list(tune_command, "--over", tune.over,
+           "Its keys and their bounds: range=0.1:5:log,goal_bias=0:0.5; log: equal ratios")
+      ->required();
+  add_list(tune_command, "--for", tune.objectives,
+           "What counts, equally: success, statistics or columns [success,path_ratio]");
   tune_command->add_option("--candidates", tune.candidates, "How many begin, it as it is too [16]")
       ->check(CLI::Range(2, 1024));
   tune_command->add_option("--out", tune.out, "Folder [voronaut-results/<suite>-tune]");

@@ -36,7 +36,17 @@ std::string utc_now() {
   return text;
 }
 
-ExitCode report_run(const RunReport& run, const OutputFolder& folder,
+// Says what became of the acceptance criteria; false if one is broken.
+bool criteria_hold(const SuiteConfig& suite, const OutputFolder& folder, std::ostream& out) {
+  if (suite.acceptance.empty()) return true;
+  std::vector<std::string> flying;
+  for (const PlannerSpec& planner : suite.planners) flying.push_back(planner.label);
+  const Finding all = examine_all(suite.acceptance, flying, folder.store().records());
+  out << "acceptance:\n" << all.text;
+  return all.holds;
+}
+
+ExitCode report_run(const RunReport& run, const SuiteConfig& suite, const OutputFolder& folder,
                     const CommandContext& context) {
   folder.write_csv();
   folder.write_report();
@@ -51,8 +61,9 @@ ExitCode report_run(const RunReport& run, const OutputFolder& folder,
   if (failed > 0)
     context.out << failed << " of " << trials
                 << " trials ended as crash, killed, memory or invalid\n";
+  const bool accepted = criteria_hold(suite, folder, context.out);
   context.out << "report: " << folder.file("report.html").string() << std::endl;
-  return failed > 0 ? ExitCode::failure : ExitCode::success;
+  return failed > 0 || !accepted ? ExitCode::failure : ExitCode::success;
 }
 
 // Its rows are the business of whoever merges them; that it is complete is said by its results.csv.
@@ -105,7 +116,7 @@ ExitCode execute(const RunOptions& options, const CommandContext& context) {
     const FlownPart flown = fly_missing(suite, options.jobs, part, folder, context);
     if (flown.ended) return *flown.ended;
     return part.shard ? report_shard(*part.shard, folder, context)
-                      : report_run(flown.run, folder, context);
+                      : report_run(flown.run, suite, folder, context);
   } catch (const std::exception& error) {  // the input was fine: a full disk, no more processes
     context.err << "voronaut: " << error.what() << std::endl;
     return ExitCode::failure;

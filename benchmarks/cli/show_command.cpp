@@ -4,7 +4,9 @@
 #include <stdexcept>
 
 #include "voronaut/benchmarks/cli/commands.h"
+#include "voronaut/benchmarks/cli/named_scenarios.h"
 #include "voronaut/benchmarks/episode/episode_trace.h"
+#include "voronaut/benchmarks/suite/suite_includes.h"
 #include "voronaut/environments/formats/foreign_formats.h"
 #include "voronaut/environments/formats/wkt.h"
 #include "voronaut/environments/polygons/polygon_areas.h"
@@ -60,11 +62,16 @@ Scenario foreign_scenario(const std::string& file, const std::string& name, bool
   return scenario;
 }
 
-std::vector<Scenario> scenarios_of(const ShowOptions& options) {
+std::vector<Scenario> scenarios_of(const ShowOptions& options, const PlannerCatalog& planners) {
+  std::vector<std::string> names;
+  for (const PlannerEntry* entry : planners.entries()) names.push_back(entry->name);
+  const NamedScenarios found = find_scenarios(options.file, false, names);
+  std::vector<ConfigNode> entries = {found.root};
+  if (found.is_suite) entries = with_includes(found.root).child("scenarios").items();
   std::vector<Scenario> scenarios;
-  for (const ScenarioSpec& spec :
-       read_scenarios(ConfigNode::read_file(options.file), DataLocation::find(options.data)))
-    scenarios.push_back(spec.instantiate(options.seed));
+  for (const ConfigNode& entry : entries)
+    for (const ScenarioSpec& spec : read_scenarios(entry, DataLocation::find(options.data)))
+      scenarios.push_back(spec.instantiate(options.seed));
   return scenarios;
 }
 
@@ -80,10 +87,11 @@ ExitCode execute(const ShowOptions& options, const CommandContext& context) {
   const bool as_text = options.out.ends_with(".wkt");
   if (!as_text) check_figure_name(options.out);
   bool has_ends = true;
-  const bool foreign = !options.format.empty() || is_foreign_file(options.file);
+  const bool foreign = !options.format.empty() ||
+                       (std::filesystem::exists(options.file) && is_foreign_file(options.file));
   const std::vector<Scenario> scenarios =
       foreign ? std::vector{foreign_scenario(options.file, options.format, has_ends)}
-              : scenarios_of(options);
+              : scenarios_of(options, context.planners);
   if (as_text) {
     write_wkt(scenarios, options.out);
   } else {

@@ -78,6 +78,7 @@ Json value_schema(const KeyFact& fact) {
       break;
     case Kind::section:
       schema = object_schema(fact.keys);
+      if (!fact.choices.empty()) schema = {{"anyOf", {Json{{"enum", fact.choices}}, schema}}};
       break;
   }
   const std::string unit = unit_of_key(fact.key);
@@ -160,7 +161,7 @@ const KeyFact& key_of(const std::vector<KeyFact>& facts, const std::string& key)
 
 Json planner_schema(const FileKeys& keys) {
   Json planner = named_entry(keys.planner, keys.planners, "params");
-  put(planner, "navigation", object_schema(key_of(keys.suite, "navigation").keys));
+  put(planner, "navigation", value_schema(key_of(keys.suite, "navigation")));
   return name_or(keys.planners, std::move(planner));
 }
 

@@ -103,6 +103,7 @@ TrialSpec reactive_trial(std::size_t steps) {
   spec.regulator_name = spec.vehicle.regulator;
   spec.regulator = find_regulator(spec.regulator_name);
   spec.planner = {"repaired", "ReactiveVoronoi", {{"preset", "repaired"}}};
+  spec.flight.navigation = NavigationConfig::paper();
   spec.flight.range_finder.rate_hz = 1 / kPeriod_s;
   spec.flight.range_finder.rays = 181;
   spec.shortest_length_m = spec.scenario.goal_world.x();

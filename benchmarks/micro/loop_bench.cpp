@@ -38,6 +38,7 @@ void closed_loop(benchmark::State& state) {
   spec.regulator_name = spec.vehicle.regulator;
   spec.regulator = find_regulator(spec.regulator_name);
   spec.planner = {"repaired", "ReactiveVoronoi", {{"preset", "repaired"}}};
+  spec.flight.navigation = NavigationConfig::paper();
   spec.flight.range_finder.rate_hz = 100;
   spec.flight.range_finder.rays = static_cast<int>(state.range(0));
   spec.shortest_length_m = 14.2;

@@ -28,7 +28,7 @@ constexpr const char* kNearEmpty =
 constexpr const char* kForest =
     "suite: forest\nseed: 3\ntraces: none\n"
     "scenarios: [{name: forest, generator: {name: forest, density_per_m2: 0.1, side_m: 12}}]\n"
-    "vehicles: [quadrotor]\nplanners: [VoronoiRoadmap]\n";
+    "vehicles: [quadrotor]\nplanners: [VoronoiRoadmap]\nnavigation: paper\n";
 
 struct Cost {
   double faults = 0;

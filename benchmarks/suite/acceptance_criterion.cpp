@@ -183,4 +183,26 @@ Finding examine(const AcceptanceCriterion& criterion, const std::vector<RunRecor
   return examination.finding();
 }
 
+Finding examine_all(const std::vector<AcceptanceCriterion>& criteria,
+                    const std::vector<std::string>& flying, const std::vector<RunRecord>& records) {
+  const auto left_out = [&](const std::string& label) {
+    return !label.empty() && std::find(flying.begin(), flying.end(), label) == flying.end() &&
+           std::none_of(records.begin(), records.end(),
+                        [&](const RunRecord& record) { return record.planner == label; });
+  };
+  Finding all{"", true};
+  for (const AcceptanceCriterion& criterion : criteria) {
+    if (left_out(criterion.planner) || left_out(criterion.speed_beside)) {
+      all.text += "  not judged: " +
+                  (left_out(criterion.planner) ? criterion.planner : criterion.speed_beside) +
+                  " was left out\n";
+      continue;
+    }
+    const Finding one = examine(criterion, records);
+    all.holds = all.holds && one.holds;
+    all.text += (one.holds ? "  holds: " : "  broken: ") + one.text + "\n";
+  }
+  return all;
+}
+
 }  // namespace voronaut

@@ -69,4 +69,9 @@ struct Finding {
 // Holds only if there is a trial that the criterion is about. O(records).
 Finding examine(const AcceptanceCriterion& criterion, const std::vector<RunRecord>& records);
 
+// All criteria of a suite, a line each; holds if every one does. One about a planner that is not
+// among those `flying` and has no record was left out and is not judged. O(criteria * records).
+Finding examine_all(const std::vector<AcceptanceCriterion>& criteria,
+                    const std::vector<std::string>& flying, const std::vector<RunRecord>& records);
+
 }  // namespace voronaut

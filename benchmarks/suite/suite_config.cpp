@@ -107,13 +107,17 @@ std::optional<ConfigNode> navigation_in(const ConfigNode& entry) {
   return entry.is_map() ? entry.find("navigation") : std::nullopt;
 }
 
-// Where a navigation key of a planner is said: with it, with the vehicle, for all, or nowhere and
-// then at its entry.
+// Where a navigation key of a planner is said, by itself or by a preset: with it, with the vehicle,
+// for all, or nowhere and then at its entry.
 ConfigNode place_of_key(const ConfigNode& root, const ConfigNode& planner,
                         const ConfigNode& vehicle, const char* key) {
   for (const auto& section :
-       {navigation_in(planner), navigation_in(vehicle), root.find("navigation")})
-    if (const auto node = section ? section->find(key) : std::nullopt) return *node;
+       {navigation_in(planner), navigation_in(vehicle), root.find("navigation")}) {
+    if (!section) continue;
+    if (section->is_scalar()) return *section;
+    for (const std::string_view said : {std::string_view(key), kPresetKey})
+      if (const auto node = section->find(said)) return *node;
+  }
   return planner;
 }
 
@@ -130,7 +134,8 @@ void require_able(const ConfigNode& root, const SuiteConfig& suite, std::size_t 
     const NavigationConfig navigation = flight_of(suite, vehicle, suite.planners[i]).navigation;
     if (navigation.governor && !no_stop.empty())
       throw place_of_key(root, entries[i], vehicle_entry, "governor")
-          .error("no governor for " + who + ": " + no_stop + " (allowed: false)");
+          .error("no governor for " + who + ": " + no_stop +
+                 " (allowed: navigation.governor false)");
     if (navigation.yaw_policy != YawReference::path && !looks_anywhere)
       throw place_of_key(root, entries[i], vehicle_entry, "yaw_policy")
           .error("navigation.yaw_policy 'fixed' is not for " + who +

@@ -101,10 +101,9 @@ struct SuiteConfig {
 //   acceptance: [{planner: RRTConnect, goal_reached_share_min: 1}]   see acceptance_criterion.h
 //   and the other keys of SuiteConfig
 //
-// and everything it names. A cart drives at height 0 whatever the scenario's heights; its suites
-// say `navigation: {yaw_policy: path}` and no governor. Each planner is made once, in a process of
-// its own, and given its parameters, each vehicle and regulator is built, so that what is wrong is
-// found here. Throws ConfigError.
+// and everything it names. A cart drives at height 0 whatever the scenario's heights. Each planner
+// is made once, in a process of its own, and given its parameters, each vehicle and regulator is
+// built, so that what is wrong is found here. Throws ConfigError.
 SuiteConfig read_suite(const ConfigNode& root, const std::string& data_argument,
                        const PlannerCatalog& planners);
 

@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "voronaut/benchmarks/suite/suite_paths.h"
+#include "voronaut/environments/config/key_visitor.h"
 #include "voronaut/environments/scenario_files/scenario_fields.h"
 
 namespace voronaut {
@@ -35,16 +37,31 @@ ConfigNode included(const ConfigNode& name, std::vector<std::string>& open) {
   return root;
 }
 
+// A preset says all keys of its section: below it nothing of the base is left. Over a preset of the
+// base single keys hold.
+ConfigNode over(const ConfigNode& top, ConfigNode base) {
+  for (const std::string& key : top.keys()) {
+    const auto below = base.find(key);
+    if (!below || !has_presets(key)) continue;
+    const ConfigNode section = top.child(key);
+    if (section.is_scalar() || (section.is_map() && section.find(kPresetKey)))
+      base = base.without(key);
+    else if (below->is_scalar())
+      base = base.with(key, below->under(kPresetKey));
+  }
+  return top.over(base);
+}
+
 ConfigNode joined_with_includes(const ConfigNode& root, std::vector<std::string>& open) {
   const auto include = root.find("include");
   if (!include) return root;
   std::optional<ConfigNode> base;
   for (const ConfigNode& name : include->is_list() ? include->items() : std::vector{*include}) {
     const ConfigNode file = included(name, open);
-    base = base ? file.over(*base) : file;
+    base = base ? over(file, *base) : file;
   }
   const ConfigNode own = root.without("include");
-  return base ? own.over(*base) : own;
+  return base ? over(own, *base) : own;
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 
 #include "voronaut/benchmarks/suite/entry_keys.h"
 #include "voronaut/environments/config/config_reader.h"
+#include "voronaut/environments/config/key_facts.h"
 #include "voronaut/environments/config/nearest_name.h"
 #include "voronaut/environments/scenario_files/scenario_keys.h"
 
@@ -25,7 +26,8 @@ ConfigNode with_keys(const ConfigNode& map, const std::string& path, const Confi
   const std::string below = tail_of(path);
   if (key.empty()) throw value.error("expected a path of keys with dots between them");
   if (below.empty()) return map.with(key, value);
-  const auto section = map.find(key);
+  auto section = map.find(key);
+  if (section && section->is_scalar() && has_presets(key)) section = section->under(kPresetKey);
   if (section && !section->is_map())
     throw value.error(in_quotes(key) + " has no keys (" + section->place() + ")");
   if (section) return map.with(key, with_keys(*section, below, value));
@@ -71,6 +73,13 @@ std::string named_entry(const ConfigNode& list, const std::string& rest, const C
 }
 
 }  // namespace
+
+bool has_presets(const std::string& section) {
+  const auto facts = key_facts(FlightConfig{});
+  return std::any_of(facts.begin(), facts.end(), [&](const KeyFact& fact) {
+    return fact.key == section && fact.kind == KeyFact::Kind::section && !fact.choices.empty();
+  });
+}
 
 const std::vector<SuiteList>& suite_lists() {
   static const std::vector<SuiteList> lists = {

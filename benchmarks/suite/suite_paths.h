@@ -14,6 +14,10 @@
 //   sweep.vehicle.max_speed_m_s   an axis of the sweep, whose key is a path itself
 namespace voronaut {
 
+// Whether a section of a suite may be the name of a preset alone: `navigation: paper`, which is
+// short for `navigation: {preset: paper}`.
+bool has_presets(const std::string& section);
+
 struct SuiteList {
   std::string key;   // "planners"
   std::string each;  // "planner"

@@ -6,6 +6,7 @@ namespace {
 class KeyNames : public KeyVisitor {
  public:
   std::vector<std::string> names;
+  bool has_presets = false;
 
   void number(std::string_view key, double&, double, double, std::string_view) override {
     names.emplace_back(key);
@@ -30,6 +31,10 @@ class KeyNames : public KeyVisitor {
   void nested(std::string_view key, const VisitKeys&, std::string_view) override {
     names.emplace_back(key);
   }
+  void one_preset_of(const std::vector<std::string>&, std::size_t&, std::string_view) override {
+    has_presets = true;
+    names.emplace_back(kPresetKey);
+  }
 };
 
 class KeyReader : public KeyVisitor {
@@ -38,34 +43,41 @@ class KeyReader : public KeyVisitor {
 
   void number(std::string_view key, double& value, double lo, double hi,
               std::string_view) override {
-    if (const auto found = node_.find(key)) value = found->number(lo, hi);
+    if (const auto found = find(key)) value = found->number(lo, hi);
   }
   void flag(std::string_view key, bool& value, std::string_view) override {
-    if (const auto found = node_.find(key)) value = found->flag();
+    if (const auto found = find(key)) value = found->flag();
   }
   void text(std::string_view key, std::string& value, std::string_view) override {
-    if (const auto found = node_.find(key)) value = found->text();
+    if (const auto found = find(key)) value = found->text();
   }
   void form(std::string_view, std::string_view, std::string_view) override {}
 
  private:
   void whole_number(std::string_view key, std::int64_t& value, std::int64_t lo, std::int64_t hi,
                     std::string_view) override {
-    if (const auto found = node_.find(key)) value = found->whole_number(lo, hi);
+    if (const auto found = find(key)) value = found->whole_number(lo, hi);
   }
   void one_of(std::string_view key, const std::vector<std::string>& names, std::size_t& chosen,
               std::string_view) override {
-    if (const auto found = node_.find(key)) chosen = found->choice(names);
+    if (const auto found = find(key)) chosen = found->choice(names);
   }
   void nested(std::string_view key, const VisitKeys& keys, std::string_view) override {
-    if (const auto found = node_.find(key)) read_keys(*found, keys);
+    if (const auto found = find(key)) read_keys(*found, keys);
+  }
+  void one_preset_of(const std::vector<std::string>& names, std::size_t& chosen,
+                     std::string_view) override {
+    if (node_.is_scalar())
+      chosen = node_.choice(names);
+    else if (const auto found = node_.find(kPresetKey))
+      chosen = found->choice(names);
   }
   void one_group_of(const std::vector<std::vector<std::string>>& groups,
                     std::size_t& chosen) override {
     std::string first;
     for (std::size_t group = 0; group < groups.size(); ++group) {
       for (const std::string& key : groups[group]) {
-        const auto found = node_.find(key);
+        const auto found = find(key);
         if (!found) continue;
         if (!first.empty() && group != chosen)
           throw found->error("cannot stand beside " + first + " (allowed: " + in_words(groups) +
@@ -74,6 +86,11 @@ class KeyReader : public KeyVisitor {
         chosen = group;
       }
     }
+  }
+
+  // What is a preset's name alone says nothing of single keys.
+  std::optional<ConfigNode> find(std::string_view key) const {
+    return node_.is_scalar() ? std::nullopt : node_.find(key);
   }
 
   // "a with b, or c, or d"
@@ -132,9 +149,11 @@ class KeyWriter : public KeyVisitor {
 
 void read_keys(const ConfigNode& node, const VisitKeys& keys,
                const std::vector<std::string>& also_allowed) {
+  KeyNames own;
+  keys(own);
   std::vector<std::string> allowed = also_allowed;
-  for (std::string& name : key_names(keys)) allowed.push_back(std::move(name));
-  node.allow_only(allowed);
+  for (std::string& name : own.names) allowed.push_back(std::move(name));
+  if (!own.has_presets || !node.is_scalar()) node.allow_only(allowed);
   read_present_keys(node, keys);
 }
 

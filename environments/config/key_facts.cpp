@@ -54,7 +54,19 @@ class FactCollector : public KeyVisitor {
     if (chosen < names.size()) fact.default_text = names[chosen];
   }
   void nested(std::string_view key, const VisitKeys& keys, std::string_view sentence) override {
-    add(key, Kind::section, sentence).keys = key_facts(keys);
+    FactCollector inner;
+    keys(inner);
+    inner.drop_defaults_of_other_groups();
+    KeyFact& fact = add(key, Kind::section, sentence);
+    fact.choices = std::move(inner.presets_);
+    fact.keys = std::move(inner.facts);
+  }
+  void one_preset_of(const std::vector<std::string>& names, std::size_t&,
+                     std::string_view sentence) override {
+    presets_ = names;
+    KeyFact& fact = add(kPresetKey, Kind::choice, sentence);
+    fact.choices = names;
+    fact.default_text = names.front();
   }
   void one_group_of(const std::vector<std::vector<std::string>>& groups,
                     std::size_t& chosen) override {
@@ -74,6 +86,7 @@ class FactCollector : public KeyVisitor {
     return facts.back();
   }
 
+  std::vector<std::string> presets_;
   std::vector<std::vector<std::string>> groups_;
   int by_default_ = -1;
 };
@@ -118,7 +131,7 @@ std::string allowed_text(const KeyFact& fact) {
     case Kind::form:
       return fact.shape;
     case Kind::section:
-      return "section";
+      return fact.choices.empty() ? "section" : "section, or one of " + join_names(fact.choices);
     case Kind::text:
       break;
   }

@@ -15,7 +15,7 @@ struct KeyFact {
   std::string key;
   Kind kind = Kind::text;
   double lo = 0, hi = 0;             // numbers, whole ones too: inclusive
-  std::vector<std::string> choices;  // of a choice
+  std::vector<std::string> choices;  // of a choice; of a section its presets
   std::string shape;                 // of a form
   std::string default_text;          // as YAML writes it; empty: none
   std::string sentence;

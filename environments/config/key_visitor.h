@@ -29,6 +29,11 @@ using ChoiceList = std::initializer_list<std::pair<std::string_view, Enum>>;
 //     v.form("start", "[x, y]", "Where it starts");       // read by its owner, described here
 //   }
 //
+// Before all others may stand
+//     v.presets(*this, {{"careful", {}}, {"hasty", hasty()}}, "What the other keys are");
+// named values of all keys, the defaults first. A file says `preset: hasty` among the keys, which
+// then hold over it, or the name alone instead of the keys.
+//
 // Bounds are inclusive. The default is the member's value; one outside the bounds stands for none.
 // The unit is the end of the key (unit_of_key). The sentence has no full stop. visit() is a
 // template because dynamics/ and planners/ have Configs and do not see this folder; what is done
@@ -66,6 +71,18 @@ class KeyVisitor {
   }
 
   template <class Config>
+  void presets(
+      Config& config,
+      std::initializer_list<std::pair<std::string_view, std::type_identity_t<Config>>> named,
+      std::string_view sentence) {
+    std::vector<std::string> names;
+    for (const auto& [name, preset] : named) names.emplace_back(name);
+    std::size_t chosen = names.size();
+    one_preset_of(names, chosen, sentence);
+    if (chosen < names.size()) config = named.begin()[chosen].second;
+  }
+
+  template <class Config>
   void section(std::string_view key, Config& config, std::string_view sentence) {
     nested(
         key, [&config](KeyVisitor& v) { config.visit(v); }, sentence);
@@ -98,8 +115,13 @@ class KeyVisitor {
                       std::size_t& chosen, std::string_view sentence) = 0;
   virtual void nested(std::string_view key, const std::function<void(KeyVisitor&)>& keys,
                       std::string_view sentence) = 0;
+  // `chosen` is names.size() and stays so if none is given.
+  virtual void one_preset_of(const std::vector<std::string>&, std::size_t&, std::string_view) {}
   virtual void one_group_of(const std::vector<std::vector<std::string>>&, std::size_t&) {}
 };
+
+// The key by which a map of keys names a preset.
+inline constexpr std::string_view kPresetKey = "preset";
 
 // A visit list as a value. The Config must outlive it.
 using VisitKeys = std::function<void(KeyVisitor&)>;

@@ -55,7 +55,8 @@ std::optional<SafetyGovernor> governor_of(const NavigatorConfig& config) {
   if (!config.navigation.governor) return std::nullopt;
   const VehicleFacts& vehicle = config.vehicle;
   if (!vehicle.motion_response)
-    throw std::invalid_argument("a governor needs the vehicle's motion response");
+    throw std::invalid_argument(
+        "a governor needs the vehicle's motion response (else navigation.governor = false)");
   const bool answers_arcs = !std::holds_alternative<VelocityResponse>(*vehicle.motion_response);
   if (answers_arcs != (vehicle.steering == Steering::along_heading))
     throw std::invalid_argument(

@@ -14,13 +14,14 @@ enum class SpeedRule {
   stopping_distance,  // only so fast that it can stop within what the beams have shown free
 };
 
-// The executive's policies; the same for every planner of a suite.
+// The executive's policies; the same for every planner of a suite. The defaults are careful: what
+// has no other reason flies so.
 struct NavigationConfig {
-  YawReference yaw_policy = YawReference::fixed;
+  YawReference yaw_policy = YawReference::path;
   SpeedRule speed_rule = SpeedRule::unlimited;
-  bool governor = false;
-  bool look_around = false;
-  bool recovery = false;
+  bool governor = true;
+  bool look_around = true;
+  bool recovery = true;
   double stall_timeout_s = 1.5;
   bool shortcut = true;
   double reaction_time_s = 0.06;
@@ -29,8 +30,18 @@ struct NavigationConfig {
   double off_path_m = 0.5;
   double corner_deceleration_m_s2 = 1.0;
 
+  // As the two papers fly: towards the goal with a fixed yaw, whatever is seen; nothing is vetoed.
+  static NavigationConfig paper() {
+    NavigationConfig config;
+    config.yaw_policy = YawReference::fixed;
+    config.governor = config.look_around = config.recovery = false;
+    return config;
+  }
+
   template <class Visitor>
   void visit(Visitor& v) {
+    v.presets(*this, {{"careful", {}}, {"paper", paper()}},
+              "What the other keys are unless they are said; alone: `navigation: paper`");
     v.choice(
         "yaw_policy", yaw_policy, {{"fixed", YawReference::fixed}, {"path", YawReference::path}},
         "Look at the goal as seen from the start (the papers), or along the path, a little ahead");

@@ -96,7 +96,8 @@ std::optional<Vec2> SafetyGovernor::way_out(const Vec2& towards, const VehicleSt
 std::size_t SafetyGovernor::found_level(const FreeSpace& free, const ObstacleSnapshot& known,
                                         double keep_m) {
   const std::size_t top = ladder_->top();
-  if (top == 0 || level_ > top || ladder_->speed_scale(level_) < kFastScale)
+  if (top == 0) return 0;
+  if (level_ > top || ladder_->speed_scale(level_) < kFastScale)
     return safe_level(top + 1, free, known, keep_m);
   if (is_safe(top, free, known, keep_m) || goes_aside(free, known, keep_m)) return top;
   return safe_level(top, free, known, keep_m);

@@ -17,6 +17,7 @@ namespace voronaut {
 namespace {
 
 using ::testing::HasSubstr;
+using ::testing::MatchesRegex;
 using ::testing::StartsWith;
 
 struct Answer {
@@ -65,13 +66,26 @@ TEST_F(CommandLine, SaysInOneLineWhatIsWrongAndWritesNothing) {
   const std::string help = " (--help shows what is possible)\n";
   const std::vector<std::pair<std::string, std::string>> cases = {
       {"", "voronaut: A subcommand is required" + help},
-      {"fly", "voronaut: A subcommand is required" + help},
+      {"rnu open.yaml",
+       "voronaut: no command 'rnu' (allowed: init, check, show, run, summary, report, compare, "
+       "plot, replay, digest, evidence, export, list, schema, submit, status, merge, cancel, tune, "
+       "completion; did you mean 'run'?)" +
+           help},
       {"run", "voronaut: SUITE is required" + help},
       {"run open.yaml --jobs 0", "voronaut: --jobs: Value 0 not in range 1 to 1024" + help},
       {"run open.yaml --seed -3",
        "voronaut: --seed: Value -3 not in range 0 to 9223372036854775807" + help},
       {"run open.yaml --colour red",
-       "voronaut: The following arguments were not expected: red --colour" + help},
+       "voronaut: run: '--colour' was not expected (allowed: --help, --planners, --seed, "
+       "--repetitions, --set, --data, --plugin, --out, --jobs, --shard, --dry-run, --version)" +
+           help},
+      {"run --planners RRTConnect PotentialField open.yaml",
+       "voronaut: run: 'open.yaml' was not expected (values are joined by commas: --planners a,b)" +
+           help},
+      {"run open.yaml --planners RRTConnect PotentialField",
+       "voronaut: run: 'PotentialField' was not expected (values are joined by commas: --planners "
+       "a,b)" +
+           help},
       {"run nothing.yaml", "voronaut: nothing.yaml: no such file\n"},
       {"run broken.yaml",
        "voronaut: broken.yaml:2: key 'plannners': unknown key (allowed: include, suite, kind, "
@@ -86,9 +100,18 @@ TEST_F(CommandLine, SaysInOneLineWhatIsWrongAndWritesNothing) {
       {"digest empty", "voronaut: empty: no results here (no results.db)\n"},
       {"replay empty abc", "voronaut: empty: no results here (no results.db)\n"},
       {"list colours",
-       "voronaut: WHAT: colours not in "
-       "{planners,vehicles,regulators,scenarios,suites,results,responses}" +
+       "voronaut: WHAT: no 'colours' (allowed: planners, vehicles, regulators, generators, "
+       "scenarios, datasets, formats, suites, results, responses)" +
            help},
+      {"list vehicles quadroto",
+       "voronaut: no vehicle 'quadroto' (allowed: car, cart, ideal, jackal, quadrotor, "
+       "quadrotor_props, unicycle; did you mean 'quadrotor'?)\n"},
+      {"list suites smoke",
+       "voronaut: list suites: takes no NAME (allowed after planners, vehicles, regulators, "
+       "generators)\n"},
+      {"show quadrotor -o a.svg",
+       "voronaut: 'quadrotor' is a vehicle and has no worlds (`voronaut list vehicles quadrotor` "
+       "prints its parameters)\n"},
       {"check missing.yaml", "voronaut: missing.yaml: no such file\n"},
   };
   for (const auto& [arguments, message] : cases) {
@@ -108,8 +131,13 @@ TEST_F(CommandLine, NamesTheSuitesThatShipWhenOneIsMisspelt) {
 }
 
 TEST_F(CommandLine, HelpsEverywhereAndKnowsItsVersion) {
-  for (const std::string command : {"", "run", "summary", "list", "check", "replay", "digest",
-                                    "report", "evidence", "plot", "show", "export"}) {
+  std::string commands = voronaut("--help").out;
+  commands.erase(0, commands.find("Subcommands:\n") + 13);
+  std::istringstream lines("\n" + commands.substr(0, commands.find("\n\n")));
+  int count = 0;
+  for (std::string line; std::getline(lines, line); ++count) {
+    std::string command;
+    std::istringstream(line) >> command;
     const Answer help = voronaut(command + " --help");
     EXPECT_EQ(help.exit_code, 0) << command;
     EXPECT_THAT(help.out, HasSubstr("Exit codes: 0 success;")) << command;
@@ -117,6 +145,7 @@ TEST_F(CommandLine, HelpsEverywhereAndKnowsItsVersion) {
     EXPECT_EQ(version.exit_code, 0) << command;
     EXPECT_THAT(version.out, StartsWith("voronaut 0.")) << command;
   }
+  EXPECT_EQ(count, 21) << "the program itself and its commands";
 }
 
 TEST_F(CommandLine, ListsWhatThereIs) {
@@ -126,6 +155,114 @@ TEST_F(CommandLine, ListsWhatThereIs) {
   EXPECT_THAT(voronaut("list responses").out, HasSubstr("| corrected | se3 |"));
   EXPECT_THAT(voronaut("list scenarios").out, HasSubstr("paper-between"));
   EXPECT_THAT(voronaut("list suites").out, HasSubstr("smoke"));
+}
+
+TEST_F(CommandLine, ListsTheParametersOfOneALineEach) {
+  EXPECT_THAT(voronaut("list planners RRTConnect").out,
+              MatchesRegex("parameter .*\nrange  +number from 0 to 10000  +0\n"));
+  const std::string jackal = voronaut("list vehicles jackal").out;
+  EXPECT_THAT(jackal, HasSubstr("\nmax_speed_m_s          number from 0.01 to 100   m/s    2 "));
+  EXPECT_THAT(jackal, HasSubstr("\nregulator arc_tracker, params\n"));
+  EXPECT_THAT(
+      voronaut("list generators forest").out,
+      HasSubstr("\ncrossing               one of corners, sides                 corners  "));
+  EXPECT_THAT(voronaut("list regulators lqr").out, HasSubstr("\nspeed_profile "));
+}
+
+// The names in the first column of a list.
+std::vector<std::string> first_words(const std::string& text) {
+  std::vector<std::string> words;
+  std::istringstream lines(text);
+  for (std::string line; std::getline(lines, line);)
+    words.push_back(line.substr(0, line.find(' ')));
+  return words;
+}
+
+TEST_F(CommandLine, ChecksAndDrawsWhateverItLists) {
+  for (const char* what : {"scenarios", "generators", "suites"}) {
+    const auto names = first_words(voronaut(std::string("list ") + what).out);
+    EXPECT_GT(names.size(), 5U) << what;
+    for (const std::string& name : names) {
+      const Answer check = voronaut("check " + name);
+      const bool wants_data = check.err.find("VORONAUT_DATA") != std::string::npos;
+      EXPECT_TRUE(check.exit_code == 0 || wants_data) << name << ": " << check.err;
+      if (what == std::string("suites")) continue;
+      const Answer drawn = voronaut("show " + name + " -o drawn.svg");
+      EXPECT_EQ(drawn.exit_code, 0) << name << ": " << drawn.err;
+      EXPECT_THAT(text_of(path("drawn.svg")), HasSubstr("<svg")) << name;
+      std::filesystem::remove(path("drawn.svg"));
+    }
+  }
+  EXPECT_EQ(voronaut("show smoke -o drawn.svg").exit_code, 0);
+  EXPECT_THAT(text_of(path("drawn.svg")), HasSubstr(">grove<"));
+  for (const std::string& name : first_words(voronaut("list datasets").out))
+    EXPECT_THAT(voronaut("show " + name + " -o drawn.svg").err, HasSubstr("VORONAUT_DATA")) << name;
+}
+
+TEST_F(CommandLine, AnOptionOfSeveralValuesTakesNoWordThatIsMeantForSomethingElse) {
+  write_open_suite();
+  EXPECT_EQ(voronaut("run --planners RRTConnect,PotentialField open.yaml --jobs 1").exit_code, 0);
+  EXPECT_EQ(voronaut("run open.yaml --planners RRTConnect --planners PotentialField").out,
+            voronaut("run --planners RRTConnect --planners PotentialField open.yaml").out);
+  const std::string results = "voronaut-results/open ";
+  EXPECT_EQ(voronaut("status --planners RRTConnect " + results + "open.yaml").exit_code, 0);
+  EXPECT_EQ(voronaut("plot --scenario open " + results + "-o a.svg").exit_code, 0);
+  EXPECT_EQ(voronaut("compare --statistics path_ratio_median " + results + results).exit_code, 0);
+  EXPECT_EQ(voronaut("run --set seed=2 open.yaml --out other").exit_code, 0);
+}
+
+TEST_F(CommandLine, ARunSaysWhatBecameOfItsCriteriaAndFailsIfOneIsBroken) {
+  write_open_suite();
+  const auto with_criteria = [&](const std::string& criteria) {
+    write("judged.yaml", text_of(path("open.yaml")) + "acceptance: [" + criteria + "]\n");
+    return voronaut("run judged.yaml --out " + std::to_string(criteria.size()));
+  };
+  const Answer holds = with_criteria("{collision_share_max: 0}");
+  EXPECT_EQ(holds.exit_code, 0) << holds.err;
+  EXPECT_THAT(holds.out,
+              HasSubstr("acceptance:\n  holds: every trial: collisions <= 0 % (0 of 2)\n"));
+  const Answer broken = with_criteria(
+      "{planner: RRTConnect, clearance_smallest_m_min: 90}, {collision_share_max: 0}");
+  EXPECT_EQ(broken.exit_code, 1);
+  EXPECT_THAT(broken.out, HasSubstr("  broken: RRTConnect: "));
+  EXPECT_THAT(broken.out, HasSubstr("  holds: every trial: "));
+  const Answer part = voronaut("run judged.yaml --planners PotentialField --out part");
+  EXPECT_EQ(part.exit_code, 0) << part.out;
+  EXPECT_THAT(part.out, HasSubstr("  not judged: RRTConnect was left out\n"));
+}
+
+TEST_F(CommandLine, AFirstSuiteWithoutKeysReachesTheGoal) {
+  write("first.yaml",
+        "suite: first\nrepetitions: 5\nscenarios:\n"
+        "  - {name: wood, generator: {name: forest, side_m: 12, density_per_m2: 0.12}}\n"
+        "  - {name: flat, generator: {name: rooms}}\n"
+        "vehicles: [quadrotor]\nplanners: [VoronoiRoadmap, RRTConnect]\n"
+        "acceptance: [{goal_reached_share_min: 1}]\n");
+  const Answer run = voronaut("run first.yaml");
+  EXPECT_EQ(run.exit_code, 0) << run.err;
+  EXPECT_THAT(run.out, HasSubstr("  holds: every trial: goal reached >= 100 % (20 of 20)\n"));
+}
+
+TEST_F(CommandLine, BeginsWithAFolderThatRuns) {
+  ASSERT_EQ(voronaut("init own").exit_code, 0);
+  EXPECT_FALSE(std::filesystem::exists(path("own.part")));
+  EXPECT_THAT(voronaut("check own/suite.yaml").out, HasSubstr("suite 'own', 3 scenarios"));
+  const Answer run = voronaut("run own/suite.yaml --repetitions 1");
+  EXPECT_EQ(run.exit_code, 0) << run.out << run.err;
+  EXPECT_THAT(run.out, HasSubstr("  holds: VoronoiRoadmap: "));
+
+  const std::string before = text_of(path("own/suite.yaml"));
+  const Answer again = voronaut("init own");
+  EXPECT_EQ(again.exit_code, 2);
+  EXPECT_EQ(again.err, "voronaut: own: is not empty; name a new folder\n");
+  EXPECT_EQ(text_of(path("own/suite.yaml")), before);
+  EXPECT_EQ(voronaut("init own/suite.yaml").err, "voronaut: own/suite.yaml: is no folder\n");
+  EXPECT_EQ(voronaut("init own/suite.yaml/below").exit_code, 2);
+
+  std::filesystem::create_directory(path("there"));
+  EXPECT_EQ(voronaut("init there/").exit_code, 0) << "an empty one";
+  EXPECT_FALSE(std::filesystem::exists(path("there/.part")));
+  EXPECT_EQ(voronaut("check there/suite.yaml").exit_code, 0);
 }
 
 TEST_F(CommandLine, ChecksSuitesAndScenarios) {
@@ -281,7 +418,7 @@ TEST_F(CommandLine, ComparesRunsAndPlannersAndRefusesUnlikeSuites) {
   EXPECT_EQ(same.out, "identical: all 2 trials flew alike\n");
   EXPECT_THAT(voronaut("compare a b --format json").out, HasSubstr("\"changed\":0"));
 
-  const Answer planners = voronaut("compare a --planners RRTConnect PotentialField");
+  const Answer planners = voronaut("compare a --planners RRTConnect,PotentialField");
   EXPECT_EQ(planners.exit_code, 0) << "one pair says nothing: " << planners.err;
   EXPECT_THAT(planners.out, HasSubstr("against RRTConnect: 1 of 1 trials flew differently"));
   EXPECT_THAT(planners.out, HasSubstr("McNemar, exact"));
@@ -293,10 +430,10 @@ TEST_F(CommandLine, ComparesRunsAndPlannersAndRefusesUnlikeSuites) {
   EXPECT_THAT(unlike.err, HasSubstr("not to be compared with a: navigation.off_path_m: "));
   EXPECT_EQ(voronaut("compare a c --across navigation.off_path_m").exit_code, 0);
   for (const char* wrong :
-       {"compare a", "compare a b --planners RRTConnect PotentialField", "compare a nowhere",
-        "compare a --planners RRTConnect RRT", "compare a b --statistics success"})
+       {"compare a", "compare a b --planners RRTConnect,PotentialField", "compare a nowhere",
+        "compare a --planners RRTConnect,RRT", "compare a b --statistics success"})
     EXPECT_EQ(voronaut(wrong).exit_code, 2) << wrong;
-  EXPECT_THAT(voronaut("compare a --planners RRTConnect RRT").err,
+  EXPECT_THAT(voronaut("compare a --planners RRTConnect,RRT").err,
               HasSubstr("--planners: no trial of 'RRT' (allowed: PotentialField, RRTConnect"));
 }
 

@@ -20,7 +20,7 @@ TrialSpec cart_trial(const std::string& scenario, const std::string& navigation)
   const SuiteConfig suite =
       read_suite(ConfigNode::parse("suite: s\nscenarios: [{name: a, " + scenario +
                                        "}]\nvehicles: [cart]\nplanners: [VoronoiRoadmap]\n"
-                                       "navigation: {yaw_policy: path, " +
+                                       "navigation: {preset: paper, yaw_policy: path, " +
                                        navigation + "}\n",
                                    "s.yaml"),
                  "", planners);

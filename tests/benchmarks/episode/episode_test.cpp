@@ -36,6 +36,7 @@ TrialSpec trial(const Scenario& scenario, const std::string& vehicle_name,
   spec.regulator_name = spec.vehicle.regulator;
   spec.regulator = find_regulator(spec.regulator_name);
   spec.planner = {planner, planner, std::move(params)};
+  spec.flight.navigation = NavigationConfig::paper();
   spec.shortest_length_m = scenario.goal_world.norm();
   return spec;
 }

@@ -23,6 +23,7 @@ TrialSpec among_posts(const std::string& planner, std::map<std::string, std::str
   spec.regulator = find_regulator(spec.regulator_name);
   spec.planner = {planner, planner, std::move(params)};
   spec.flight.range_finder.noise_sigma_m = 0.005;
+  spec.flight.navigation = NavigationConfig::paper();
   spec.shortest_length_m = 11;
   return spec;
 }

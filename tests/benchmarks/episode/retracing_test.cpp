@@ -27,6 +27,7 @@ TrialSpec beside_a_box(const Vec2& goal) {
   spec.regulator_name = spec.vehicle.regulator;
   spec.regulator = find_regulator(spec.regulator_name);
   spec.planner = {"VoronoiRoadmap", "VoronoiRoadmap", {}};
+  spec.flight.navigation = NavigationConfig::paper();
   spec.flight.navigation.recovery = true;
   spec.shortest_length_m = 10;
   return spec;

@@ -22,6 +22,7 @@ RunRecord flown(double bearing_rad, std::uint64_t seed) {
   spec.regulator_name = spec.vehicle.regulator;
   spec.regulator = find_regulator(spec.regulator_name);
   spec.planner = {"repaired", "ReactiveVoronoi", {{"preset", "repaired"}}};
+  spec.flight.navigation = NavigationConfig::paper();
   spec.shortest_length_m = 14.2;
   return run_trial(spec, PlannerCatalog::built_in(), false).record;
 }

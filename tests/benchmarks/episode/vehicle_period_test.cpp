@@ -22,6 +22,7 @@ TrialSpec in_the_open(const std::string& vehicle_name, double vehicle_period_s) 
   spec.regulator = find_regulator(spec.regulator_name);
   spec.planner = {"VoronoiRoadmap", "VoronoiRoadmap", {}};
   spec.flight.loop.vehicle_period_s = vehicle_period_s;
+  spec.flight.navigation = NavigationConfig::paper();
   spec.shortest_length_m = 8;
   return spec;
 }

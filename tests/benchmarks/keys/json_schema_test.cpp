@@ -61,6 +61,9 @@ TEST(JsonSchema, TakesSweepsAndWhatIsIncluded) {
                          "planners.c.range: {from: 1, to: 2, steps: 3}}"),
             "");
   EXPECT_EQ(problem_with("label: b", "range_finder: {rays: 90}"), "");
+  EXPECT_EQ(problem_with("budget: {iterations: 5}", "navigation: paper"), "");
+  EXPECT_EQ(problem_with("params: {range: 0.5}", "navigation: {preset: paper, recovery: true}"),
+            "");
   const auto problem_of = [](const std::string& text) {
     return schema_problem(json_of_yaml(text), of_suites());
   };
@@ -96,6 +99,9 @@ TEST(JsonSchema, RefusesWhatTheReadersRefuse) {
       {"range: 0.5", "rang: 0.5"},
       {"range: 0.5", "range: far"},
       {"params: {range: 0.5}", "navigation: {governer: true}"},
+      {"params: {range: 0.5}", "navigation: papre"},
+      {"budget: {iterations: 5}", "navigation: {preset: papre}"},
+      {"budget: {iterations: 5}", "range_finder: paper"},
       {"budget: {iterations: 5}", "budget: {iterations: 5, wall_clock_s: 1}"},
       {"budget: {iterations: 5}", "budget: {iterations: 0}"},
       {"budget: {iterations: 5}", "mapping: {merge_m: 1}"},

@@ -81,6 +81,23 @@ TEST(AcceptanceCriterion, JudgesPathRatiosOverManyArrivalsOnly) {
       "120)");
 }
 
+TEST(AcceptanceCriterion, AllHoldOnlyIfEachDoesAndWhoWasLeftOutIsNotJudged) {
+  AcceptanceCriterion broken, kept, absent, beside;
+  broken.bound("clearance_smallest_m_min") = 1e6;
+  absent.planner = "nobody";
+  beside.speed_beside = "nobody";
+  beside.speed_ratio_min = 1;
+  EXPECT_TRUE(examine_all({kept}, {"a"}, records()).holds);
+  EXPECT_FALSE(examine_all({broken, kept}, {"a"}, records()).holds) << "whatever comes after it";
+  EXPECT_FALSE(examine_all({kept, broken}, {"a"}, records()).holds);
+  const Finding left_out = examine_all({absent, beside, kept}, {"a"}, records());
+  EXPECT_TRUE(left_out.holds);
+  EXPECT_EQ(left_out.text,
+            "  not judged: nobody was left out\n  not judged: nobody was left out\n"
+            "  holds: every trial:\n");
+  EXPECT_FALSE(examine_all({absent}, {"nobody"}, records()).holds) << "flew, and has no trial";
+}
+
 TEST(AcceptanceCriterion, JudgesPathsAgainstTheShortestAtTheClearanceThatPlannersKeep) {
   std::vector<RunRecord> many;
   for (int i = 0; i < 120; ++i) many.push_back(records().front());

@@ -99,6 +99,36 @@ TEST(SuiteConfig, LetsAPlannerFlyWithANavigationOfItsOwn) {
       << "the rest is the suite's";
 }
 
+std::string navigation_of(const SuiteConfig& suite, std::size_t planner) {
+  return canonical_text(flight_of(suite, suite.vehicles[0], suite.planners[planner]).navigation);
+}
+
+TEST(SuiteConfig, IsCarefulUnlessItSaysOtherwise) {
+  const SuiteConfig suite = read(suite_with("planners", "[RRTConnect]"));
+  const NavigationConfig& navigation = suite.flight.navigation;
+  EXPECT_TRUE(navigation.governor && navigation.look_around && navigation.recovery);
+  EXPECT_EQ(navigation.yaw_policy, YawReference::path);
+  EXPECT_EQ(navigation_of(read(suite_with("navigation", "careful")), 0), navigation_of(suite, 0));
+}
+
+TEST(SuiteConfig, APresetSaysEveryKeyAndOthersHoldOverIt) {
+  NavigationConfig paper = NavigationConfig::paper();
+  EXPECT_FALSE(paper.governor || paper.look_around || paper.recovery);
+  EXPECT_EQ(paper.yaw_policy, YawReference::fixed);
+  EXPECT_EQ(navigation_of(read(suite_with("navigation", "paper")), 0), canonical_text(paper));
+  paper.recovery = true;
+  EXPECT_EQ(navigation_of(read(suite_with("navigation", "{recovery: true, preset: paper}")), 0),
+            canonical_text(paper));
+}
+
+TEST(SuiteConfig, APresetOfAPlannerLeavesNothingOfTheSuites) {
+  const SuiteConfig suite =
+      read(suite_with("planners", "[RRTConnect, {name: RRTConnect, label: b, navigation: paper}]") +
+           "navigation: {off_path_m: 2}\n");
+  EXPECT_EQ(navigation_of(suite, 1), canonical_text(NavigationConfig::paper()));
+  EXPECT_EQ(suite.flight.navigation.off_path_m, 2);
+}
+
 TEST(SuiteConfig, ReadsWhatASuiteMustShow) {
   const SuiteConfig suite =
       read(suite_with("acceptance", "[{planner: RRTConnect, goal_reached_share_min: 0.9}, {}]"));
@@ -258,6 +288,13 @@ TEST(SuiteConfig, SaysInOneLineWhatIsWrong) {
       {suite_with("mapping", "{merge_m: 1}"),
        "s.yaml:5: key 'mapping.merge_m': unknown key (allowed: link_distance_m, "
        "thinning_distance_m, merge_distance_m)"},
+      {suite_with("navigation", "papre"),
+       "s.yaml:5: key 'navigation': expected one of careful, paper, got 'papre' (did you mean "
+       "'paper'?)"},
+      {suite_with("navigation", "[paper]"),
+       "s.yaml:5: key 'navigation': expected a map of keys, got a list of 1"},
+      {suite_with("range_finder", "paper"),
+       "s.yaml:5: key 'range_finder': expected a map of keys, got 'paper'"},
       {suite_with("navigation", "{yaw_policy: sideways}"),
        "s.yaml:5: key 'navigation.yaw_policy': expected one of fixed, path, got 'sideways'"},
       {suite_with("loop", "{goal_hold_s: .nan}"),
@@ -299,7 +336,11 @@ TEST(SuiteConfig, AsksACartOnlyForWhatItCanDo) {
   const std::string own = "[RRTConnect, {name: RRTConnect, label: b, navigation: {";
   EXPECT_EQ(error_in(with_cart("[RRTConnect]", "navigation: {yaw_policy: path}")), "no error");
   EXPECT_EQ(error_in(with_cart("[RRTConnect]", "kind: static")), "no error") << "nobody moves";
-  EXPECT_EQ(error_in(with_cart("[RRTConnect]", "")), "s.yaml:4: key 'planners[0]': " + yaw_policy);
+  EXPECT_EQ(error_in(with_cart("[RRTConnect]", "")), "no error") << "by default";
+  EXPECT_EQ(error_in(with_cart("[RRTConnect]", "navigation: paper")),
+            "s.yaml:5: key 'navigation': " + yaw_policy);
+  EXPECT_EQ(error_in(with_cart("[RRTConnect]", "navigation: {off_path_m: 1, preset: paper}")),
+            "s.yaml:5: key 'navigation.preset': " + yaw_policy);
   EXPECT_EQ(error_in(with_cart("[RRTConnect]", "navigation: {yaw_policy: fixed}")),
             "s.yaml:5: key 'navigation.yaw_policy': " + yaw_policy);
   EXPECT_EQ(error_in(with_cart("[RRTConnect]", "navigation: {yaw_policy: path, governor: true}")),
@@ -313,7 +354,8 @@ TEST(SuiteConfig, AsksNoGovernorToTrustALawThatDoesNotStop) {
                      "vehicles: [{name: quadrotor, regulator: paper_literal}]\n"
                      "planners: [RRTConnect]\nnavigation: {governor: true}\n"),
             "s.yaml:5: key 'navigation.governor': no governor for vehicle 'quadrotor': regulator "
-            "'paper_literal' promises no stop: it is unstable (allowed: false)");
+            "'paper_literal' promises no stop: it is unstable (allowed: navigation.governor "
+            "false)");
 }
 
 TEST(SuiteConfig, KeepsThePlannersThatWereAskedForAndNamesTheOthers) {

@@ -47,6 +47,17 @@ TEST_F(SuiteIncludes, WhatAFileSaysItselfWinsKeyByKey) {
   EXPECT_FALSE(root.find("include"));
 }
 
+TEST_F(SuiteIncludes, APresetReplacesTheSectionBelowAndSingleKeysHoldOverOne) {
+  write("keys.yaml", "navigation: {governor: false, off_path_m: 2}\n");
+  write("paper.yaml", "navigation: paper\n");
+  write("a.yaml", "include: keys.yaml\nnavigation: paper\n");
+  write("b.yaml", "include: keys.yaml\nnavigation: {preset: paper}\n");
+  write("c.yaml", "include: paper.yaml\nnavigation: {off_path_m: 3}\n");
+  EXPECT_EQ(read("a.yaml").child("navigation").yaml(), "paper");
+  EXPECT_EQ(read("b.yaml").child("navigation").yaml(), "{preset: paper}");
+  EXPECT_EQ(read("c.yaml").child("navigation").yaml(), "{off_path_m: 3, preset: paper}");
+}
+
 TEST_F(SuiteIncludes, EachValueKeepsItsFileItsLineAndItsFolder) {
   write("sub/base.yaml", "suite: base\nloop:\n  goal_hold_s: 2\nscenarios: [{file: a.yaml}]\n");
   write("own.yaml", "include: sub/base.yaml\nloop: {rate: 3}\n");

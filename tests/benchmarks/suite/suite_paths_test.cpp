@@ -40,6 +40,16 @@ TEST(SuitePaths, ReachSectionsThatAreThereAndThatAreNot) {
   EXPECT_EQ(suite.seed, 5U);
 }
 
+TEST(SuitePaths, ReachKeysOverAPreset) {
+  const SuiteConfig suite =
+      suite_with({"navigation=paper", "navigation.recovery=true",
+                  "planners.RRTConnect.b.navigation=paper", "vehicle.navigation.preset=careful"});
+  EXPECT_FALSE(suite.flight.navigation.governor);
+  EXPECT_TRUE(suite.flight.navigation.recovery);
+  EXPECT_FALSE(suite.planners[1].navigation.value().recovery);
+  EXPECT_TRUE(suite.vehicles[0].flight.value().navigation.governor);
+}
+
 TEST(SuitePaths, ReachEntriesOfListsByNameAlsoIfItHasADot) {
   const SuiteConfig suite = suite_with(
       {"planners.RRTConnect.range=1.5", "planners.RRTConnect.b.range=2",

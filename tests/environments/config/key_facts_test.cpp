@@ -55,6 +55,50 @@ std::string error_in(const std::string& yaml) {
   return error_of<ConfigError>([&] { read(yaml); });
 }
 
+struct HastyConfig {
+  InnerConfig inner = {};
+  double speed_m_s = 1;
+
+  static HastyConfig hasty() {
+    HastyConfig config;
+    config.speed_m_s = 3;
+    return config;
+  }
+  template <class Visitor>
+  void visit(Visitor& v) {
+    v.presets(*this, {{"calm", {}}, {"hasty", hasty()}}, "How fast in all");
+    v.section("inner", inner, "What it sees by");
+    v.number("speed_m_s", speed_m_s, 0, 9, "So fast");
+  }
+};
+
+struct TravelConfig {
+  HastyConfig travel = {};
+
+  template <class Visitor>
+  void visit(Visitor& v) {
+    v.section("travel", travel, "How it goes");
+  }
+};
+
+TEST(KeyFacts, ASectionWithPresetsMayBeTheNameOfOne) {
+  const KeyFact travel = key_facts(TravelConfig{}).front();
+  EXPECT_EQ(allowed_text(travel), "section, or one of calm, hasty");
+  EXPECT_EQ(travel.keys.front().key, "preset");
+  EXPECT_EQ(travel.keys.front().default_text, "calm");
+  const auto speed_in = [](const std::string& yaml) {
+    TravelConfig config;
+    read_into(ConfigNode::parse(yaml, "travel.yaml"), config);
+    return config.travel.speed_m_s;
+  };
+  EXPECT_EQ(speed_in("{}"), 1);
+  EXPECT_EQ(speed_in("travel: hasty"), 3);
+  EXPECT_EQ(speed_in("travel: {preset: hasty}"), 3);
+  EXPECT_EQ(speed_in("travel: {speed_m_s: 2, preset: hasty}"), 2);
+  EXPECT_EQ(error_of<ConfigError>([&] { speed_in("travel: {preset: hurried}"); }),
+            "travel.yaml:1: key 'travel.preset': expected one of calm, hasty, got 'hurried'");
+}
+
 TEST(KeyFacts, SayWhatEachKeyMayBe) {
   const std::vector<KeyFact> facts = key_facts(OuterConfig{});
   ASSERT_EQ(facts.size(), 7U);
