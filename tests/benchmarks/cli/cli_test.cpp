@@ -92,7 +92,8 @@ TEST_F(CommandLine, SaysInOneLineWhatIsWrongAndWritesNothing) {
        "seed, "
        "repetitions, repeat, data, scenarios, vehicles, planners, sweep, range_finder, mapping, "
        "navigation, loop, "
-       "budget, limits, traces, acceptance; did you mean 'planners'?)\n"},
+       "budget, disturbances, declared_errors, limits, traces, acceptance; did you mean "
+       "'planners'?)\n"},
       {"run open.yaml --planners RRT",
        "voronaut: no planner 'RRT' in suite 'open' (allowed: RRTConnect, PotentialField)\n"},
       {"run open.yaml --out open.yaml", "voronaut: open.yaml: is no folder\n"},
@@ -400,9 +401,9 @@ TEST_F(CommandLine, RunsASuiteAndAnswersQuestionsAboutIt) {
   EXPECT_EQ(voronaut("report r --format md -o r.md --compare voronaut-results/open").out, "r.md\n");
   EXPECT_THAT(text_of(path("r.md")),
               HasSubstr("0 of 2 trials flew differently, 0 end differently"));
-  for (const char* wrong : {"report r --format pdf", "report r --compare nowhere",
-                            "report r --format csv --compare r", "report r --published nowhere",
-                            "report r --format csv --published r"}) {
+  for (const char* wrong :
+       {"report r --format pdf", "report r --compare nowhere", "report r --format csv --compare r",
+        "report r --published nowhere", "report r --format csv --published r"}) {
     const Answer refused = voronaut(wrong);
     EXPECT_EQ(refused.exit_code, 2) << wrong;
     EXPECT_EQ(std::count(refused.err.begin(), refused.err.end(), '\n'), 1) << refused.err;

@@ -182,7 +182,8 @@ TEST(SuiteConfig, SaysInOneLineWhatIsWrong) {
   const std::string keys =
       "include, suite, kind, seed, repetitions, repeat, data, scenarios, vehicles, planners, "
       "sweep, range_finder, "
-      "mapping, navigation, loop, budget, limits, traces, acceptance";
+      "mapping, navigation, loop, budget, disturbances, declared_errors, limits, traces, "
+      "acceptance";
   const std::string count = "expected a whole number from ";
   const std::vector<std::pair<std::string, std::string>> cases = {
       {"", "s.yaml:1: the file is empty"},
