@@ -1,5 +1,7 @@
 #include "voronaut/benchmarks/suite/footprint_entry.h"
 
+#include <cmath>
+
 #include "voronaut/benchmarks/suite/entry_keys.h"
 #include "voronaut/environments/config/config_reader.h"
 #include "voronaut/environments/config/nearest_name.h"
@@ -27,6 +29,9 @@ void take_polygon(std::vector<Vec2> corners, VehicleSpec& vehicle) {
   vehicle.body_radius_m = circumscribed_radius_m(corners);
   vehicle.footprint.corners_body = std::move(corners);
 }
+
+// Without what rounding makes of a side that is meant to be at 0.2 m.
+double in_micrometres(double length_m) { return std::round(length_m * 1e6) / 1e6; }
 
 void require_one_of(const ConfigNode& node) {
   constexpr const char* kShapes[] = {"disc", "polygon", "of_scenario"};
@@ -58,7 +63,7 @@ void read_footprint(const ConfigNode& node, const ConfigNode& entry, VehicleEntr
   const auto planned = node.find("planned_radius_m");
   if (!planned) return;
   if (keys.disc > 0) throw planned->error("is for a polygon: a disc is planned as it is");
-  const double least_m = keys.of_scenario ? 0 : spec.inscribed_radius_m();
+  const double least_m = keys.of_scenario ? 0 : in_micrometres(spec.inscribed_radius_m());
   if (keys.planned_radius_m < least_m)
     throw planned->error(
         "expected at least the radius of the largest disc about the origin within "

@@ -133,7 +133,8 @@ class Navigator {
   double paces_since_s_ = 0;
   std::optional<Vec2> looks_at_;  // on wheels: an unknown place that it turns to
   bool asks_for_fit_ = false;     // of paths: holds the footprint against known points along them
-  bool leaves_ = false;           // on wheels: what its tube touches as it stands
+  Vec2 left_along_ = Vec2::UnitX();  // where it left last; a polygon goes on that way
+  bool leaves_ = false;              // on wheels: what its tube touches as it stands
   NavigationReport report_;
   NavigationObserver* observer_ = nullptr;
 };

@@ -153,9 +153,11 @@ void Navigator::leave_what_it_touches(WantedMotion& wanted, const VehicleState& 
       known_point = known.points()[*nearest];
   }
   const double wanted_m_s = wanted.v_world.norm();
-  const auto away =
-      governor_->way_out(wanted.v_world / wanted_m_s, state, near_m, free_space_, known_point);
+  const bool goes_on = leaves && sweeps_by_turning();
+  const Vec2 towards = goes_on ? left_along_ : Vec2(wanted.v_world / wanted_m_s);
+  const auto away = governor_->way_out(towards, state, near_m, free_space_, known_point);
   if (!away) return;
+  left_along_ = *away;
   leaves_ = true;
   wanted.v_world = wanted_m_s * *away;
   wanted.lookahead_m = kStraightAhead_m;

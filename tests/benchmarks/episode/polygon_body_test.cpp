@@ -69,7 +69,7 @@ TEST(PolygonBody, IsJudgedByFclAsByExactDistances) {
     }
   }
   EXPECT_GT(compared, 40'000);
-  EXPECT_GT(touching, 4'000);
+  EXPECT_GT(touching, 2'000);
   EXPECT_GT(turned_matters, 1'000);
 }
 

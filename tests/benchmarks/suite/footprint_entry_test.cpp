@@ -60,7 +60,7 @@ TEST(Footprint, IsPartOfWhatDefinesATrial) {
       trial_id_of(jackal("footprint: {disc: 0.28}")), trial_id_of(jackal("label: jackal")),
       trial_id_of(jackal("footprint: {" + kSquare + "}")),
       trial_id_of(jackal("footprint: {" + kSquare + ", planned_radius_m: 0.25}")),
-      trial_id_of(jackal("footprint: {polygon: [[0.2, 0.2], [-0.2, 0.1], [-0.2, -0.2]]}"))};
+      trial_id_of(jackal("footprint: {polygon: [[0.2, 0.2], [-0.2, 0.2], [0, -0.2]]}"))};
   EXPECT_EQ(ids.size(), 5U);
 }
 
@@ -84,7 +84,7 @@ TEST(Footprint, SaysWhereAndWhatIsWrong) {
             "s.yaml:3: key 'vehicles[0].footprint.polygon': the polygon has fewer than 3 vertices "
             "(allowed: the corners of a strictly convex polygon around [0, 0])");
   EXPECT_EQ(error(jackal("footprint: {polygon: [[1, 0], [0, 1], [1]]}")),
-            "s.yaml:3: key 'vehicles[0].footprint.polygon[2]': expected [x, y], got 1 entry");
+            "s.yaml:3: key 'vehicles[0].footprint.polygon[2]': expected [x, y], got a list of 1");
   EXPECT_EQ(error(jackal("footprint: {disc: 0.2, " + kSquare + "}")),
             "s.yaml:3: key 'vehicles[0].footprint.polygon': cannot stand beside disc (allowed: "
             "disc, or polygon, or of_scenario)");

@@ -76,9 +76,9 @@ TEST(Statistics, EveryOneEqualsWhatIsWorkedOutByHand) {
       {"speed_mean_median_m_s", {2.5, 4}},
       {"tracking_error_rms_median_m", {0.15, 4}},
       {"energy_median_j", {1000, 3}},
-      {"settling_median_s", {7, 5}},
-      {"overshoot_median_m", {0.02, 5}},
-      {"stopping_distance_median_m", {4, 5}},
+      {"settling_median_s", {6.5, 4}},
+      {"overshoot_median_m", {0.015, 4}},
+      {"stopping_distance_median_m", {3, 4}},
       {"replans_median", {1, 5}},  // of 0, 0, 1, 2, 3
       {"state_checks_median", {100, 5}},
       {"planning_time_us_median", {15, 4}},
