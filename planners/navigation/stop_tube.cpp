@@ -9,21 +9,24 @@ namespace voronaut {
 
 bool StopTube::is_safe(const PredictedStop& stop, const std::vector<Vec2>& corners,
                        const FreeSpace& free, const ObstacleSnapshot& known, double keep_m) {
+  const auto all_segments = [&](const auto& is_well) {
+    for (std::size_t i = 0; i + 1 < corners.size(); ++i)
+      if (!is_well(corners[i], corners[i + 1])) return false;
+    return true;
+  };
   if (!keeps_to_bounds(stop, corners)) return false;
-  for (std::size_t i = 0; i + 1 < corners.size(); ++i) {
-    if (!known.swept_disc_is_clear(corners[i], corners[i + 1], keep_m)) return false;
-  }
   const double tube_m = radius_m(stop);
-  for (std::size_t i = 0; i + 1 < corners.size(); ++i) {
-    if (!free.swept_disc_is_free(corners[i], corners[i + 1], tube_m))
-      return departs(stop, corners, free);
-  }
-  return true;
+  // What is not known refuses more often than what is.
+  const bool is_free = all_segments(
+      [&](const Vec2& a, const Vec2& b) { return free.swept_disc_is_free(a, b, tube_m); });
+  if (!is_free && stop.fastest_m_s > kDepartureSpeed_m_s) return false;
+  const bool is_clear = all_segments(
+      [&](const Vec2& a, const Vec2& b) { return known.swept_disc_is_clear(a, b, keep_m); });
+  return is_clear && (is_free || departs(stop, corners, free));
 }
 
 bool StopTube::departs(const PredictedStop& stop, const std::vector<Vec2>& corners,
                        const FreeSpace& free) {
-  if (stop.fastest_m_s > kDepartureSpeed_m_s) return false;
   free.unknown_cells_in_tube(corners, radius_m(stop), unknown_cells_);
   return leads_away(stop.v_command_world, corners, unknown_cells_);
 }

@@ -33,7 +33,7 @@ class StopTube {
   static void straighten(const std::vector<Vec2>& track, std::vector<Vec2>& corners);
 
  private:
-  // What unknown cells the tube touches, a slow command leaves behind.
+  // What unknown cells the tube touches, the command, a slow one, leaves behind.
   bool departs(const PredictedStop& stop, const std::vector<Vec2>& corners, const FreeSpace& free);
   // The track keeps what it may stray from the bounds, or leads inwards from where it does not.
   bool keeps_to_bounds(const PredictedStop& stop, const std::vector<Vec2>& corners);
