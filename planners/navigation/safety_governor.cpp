@@ -107,7 +107,10 @@ std::size_t SafetyGovernor::found_level(const FreeSpace& free, const ObstacleSna
 bool SafetyGovernor::is_safe(std::size_t level, const FreeSpace& free,
                              const ObstacleSnapshot& known, double keep_m) {
   const PredictedStop stop = predict(level);
-  if (!tube_.keeps_clear(stop, corners_, known, keep_m) || !is_free(stop, free)) {
+  const bool safe = sweep_ ? tube_.keeps_clear(stop, corners_, known, keep_m) &&
+                                 sweep_->is_safe(stop, track_, headings_, free)
+                           : tube_.is_safe(stop, corners_, free, known, keep_m);
+  if (!safe) {
     refused_stop_ = stop;
     refused_corners_.swap(corners_);
     refused_track_.swap(track_);
@@ -147,11 +150,6 @@ std::size_t SafetyGovernor::safe_level_between(std::size_t safe, std::size_t uns
     near = false;
   }
   return safe;
-}
-
-bool SafetyGovernor::is_free(const PredictedStop& stop, const FreeSpace& free) {
-  return sweep_ ? sweep_->is_safe(stop, track_, headings_, free)
-                : tube_.is_free(stop, corners_, free);
 }
 
 // The stop that this level leads to, its track into corners_. It begins where the vehicle is told

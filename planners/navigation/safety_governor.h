@@ -34,9 +34,9 @@ struct GovernedMotion {
 // Lets no planner crash. A command, a velocity for what moves in every direction or an arc for what
 // drives along its heading, is allowed for one period only if what the body sweeps while it holds
 // the command and then brakes to rest lies in space that beams have proved free (and away from
-// known points as far as below); else less speed of the same kind, else braking. A body is a disc,
-// or a polygon turned as predicted; one that moves in every direction is swept as the disc that
-// holds it, as its heading is nobody's to predict.
+// known points as far as below); else one that leads aside, else less speed of the same kind, else
+// braking. A body is a disc, or a polygon turned as predicted; one that moves in every direction is
+// swept as the disc that holds it, as its heading is nobody's to predict.
 //
 // Invariant: at every call the track of braking from the present state lies in known-free space. It
 // holds at rest in free space, and each command allowed or braked keeps it, for then the rest of a
@@ -59,6 +59,9 @@ struct GovernedMotion {
 //
 // Besides, a track keeps min(planning_clearance_m - kKnownMargin_m, the clearance there is now)
 // from known points: closer than that planner and governor would wait for each other.
+//
+// What moves in every direction and was fast goes aside, with all the speed that is wanted, rather
+// than straight and slower: one more command, proved like any other.
 //
 // The idea that a plan may lead through the unknown as long as a stop within the known remains:
 // Tordesillas et al., FASTER, arXiv:2001.04420.
@@ -85,7 +88,7 @@ class SafetyGovernor {
 
   // The fastest of a few commands towards what is wanted that is safe from `state` on. The slowest
   // is braking, which is always allowed. O(time to rest), a few thousand instructions for each
-  // command that is looked at: one where nothing is in the way, most often two where something is.
+  // command that is looked at: one where nothing is in the way, two to five where something is.
   const GovernedMotion& allow(const WantedMotion& wanted, const VehicleState& state,
                               const FreeSpace& free, const ObstacleSnapshot& known,
                               KnownClearance kept);
@@ -100,7 +103,6 @@ class SafetyGovernor {
   std::size_t safe_level_between(std::size_t safe, std::size_t unsafe, const FreeSpace& free,
                                  const ObstacleSnapshot& known, double keep_m);
   PredictedStop predict(std::size_t level);
-  bool is_free(const PredictedStop& stop, const FreeSpace& free);
   std::optional<Vec2> unknown_refused(const FreeSpace& free);
 
   std::unique_ptr<CommandLadder> ladder_;

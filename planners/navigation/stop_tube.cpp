@@ -7,28 +7,42 @@
 
 namespace voronaut {
 
-bool StopTube::keeps_clear(const PredictedStop& stop, const std::vector<Vec2>& corners,
-                           const ObstacleSnapshot& known, double keep_m) {
-  if (!keeps_to_bounds(stop, corners)) return false;
-  for (std::size_t i = 0; i + 1 < corners.size(); ++i) {
-    if (!known.swept_disc_is_clear(corners[i], corners[i + 1], keep_m)) return false;
-  }
+namespace {
+
+template <class IsWell>
+bool all_segments(const std::vector<Vec2>& corners, const IsWell& is_well) {
+  for (std::size_t i = 0; i + 1 < corners.size(); ++i)
+    if (!is_well(corners[i], corners[i + 1])) return false;
   return true;
 }
 
-bool StopTube::is_free(const PredictedStop& stop, const std::vector<Vec2>& corners,
-                       const FreeSpace& free) {
+}  // namespace
+
+bool StopTube::keeps_clear(const PredictedStop& stop, const std::vector<Vec2>& corners,
+                           const ObstacleSnapshot& known, double keep_m) {
+  return keeps_to_bounds(stop, corners) && keeps_from(corners, known, keep_m);
+}
+
+bool StopTube::keeps_from(const std::vector<Vec2>& corners, const ObstacleSnapshot& known,
+                          double keep_m) {
+  return all_segments(corners, [&](const Vec2& a, const Vec2& b) {
+    return known.swept_disc_is_clear(a, b, keep_m);
+  });
+}
+
+bool StopTube::is_safe(const PredictedStop& stop, const std::vector<Vec2>& corners,
+                       const FreeSpace& free, const ObstacleSnapshot& known, double keep_m) {
+  if (!keeps_to_bounds(stop, corners)) return false;
   const double tube_m = radius_m(stop);
-  for (std::size_t i = 0; i + 1 < corners.size(); ++i) {
-    if (!free.swept_disc_is_free(corners[i], corners[i + 1], tube_m))
-      return departs(stop, corners, free);
-  }
-  return true;
+  // What is not known refuses more often than what is.
+  const bool is_free = all_segments(
+      corners, [&](const Vec2& a, const Vec2& b) { return free.swept_disc_is_free(a, b, tube_m); });
+  if (!is_free && stop.fastest_m_s > kDepartureSpeed_m_s) return false;
+  return keeps_from(corners, known, keep_m) && (is_free || departs(stop, corners, free));
 }
 
 bool StopTube::departs(const PredictedStop& stop, const std::vector<Vec2>& corners,
                        const FreeSpace& free) {
-  if (stop.fastest_m_s > kDepartureSpeed_m_s) return false;
   free.unknown_cells_in_tube(corners, radius_m(stop), unknown_cells_);
   return leads_away(stop.v_command_world, corners, unknown_cells_);
 }

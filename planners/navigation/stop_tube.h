@@ -29,16 +29,19 @@ class StopTube {
   // straighten()'s. O(segments).
   bool keeps_clear(const PredictedStop& stop, const std::vector<Vec2>& corners,
                    const ObstacleSnapshot& known, double keep_m);
-  // Whether the tube lies in known-free space, or a slow command leads away from what it touches
-  // (departure.h). O(segments).
-  bool is_free(const PredictedStop& stop, const std::vector<Vec2>& corners, const FreeSpace& free);
+  // The same, and whether the tube lies in known-free space, or a slow command leads away from what
+  // it touches (departure.h). O(segments).
+  bool is_safe(const PredictedStop& stop, const std::vector<Vec2>& corners, const FreeSpace& free,
+               const ObstacleSnapshot& known, double keep_m);
 
   // The corners of a chain of straight segments that passes every sample within kStraight_m.
   static void straighten(const std::vector<Vec2>& track, std::vector<Vec2>& corners);
 
  private:
-  // What unknown cells the tube touches, a slow command leaves behind.
+  // What unknown cells the tube touches, the command, a slow one, leaves behind.
   bool departs(const PredictedStop& stop, const std::vector<Vec2>& corners, const FreeSpace& free);
+  static bool keeps_from(const std::vector<Vec2>& corners, const ObstacleSnapshot& known,
+                         double keep_m);
   // The track keeps what it may stray from the bounds, or leads inwards from where it does not.
   bool keeps_to_bounds(const PredictedStop& stop, const std::vector<Vec2>& corners);
 

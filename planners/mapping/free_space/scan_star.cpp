@@ -99,15 +99,19 @@ std::optional<ScanStar::Part> ScanStar::near_part(const Scan& scan, double withi
   while (beam < beams && !is_near(beam)) ++beam;
   if (beam == beams) return std::nullopt;
   const std::size_t first_near = beam;
-  std::size_t last_near = beam, beside = 1;
+  std::size_t last_near = beam, beside = 0;
   double closest_m = returns_within_m;
-  for (; beam < beams && beam - last_near <= 2 * beside; ++beam) {
-    if (!is_near(beam)) continue;
-    last_near = beam;
-    if (range_m[beam] >= closest_m) continue;
-    closest_m = range_m[beam];
-    beside = beams_across(depth_m / closest_m, scan) + 1;
+  for (; beam < beams; ++beam) {
+    if (is_near(beam)) {
+      last_near = beam;
+      closest_m = range_m[beam] < closest_m ? range_m[beam] : closest_m;
+      beside = 0;
+      continue;
+    }
+    if (beside == 0) beside = beams_across(depth_m / closest_m, scan) + 1;
+    if (beam - last_near > 2 * beside) break;
   }
+  if (beside == 0) beside = beams_across(depth_m / closest_m, scan) + 1;
   first_beam = last_near + 1;
   Part part{first_near - std::min(first_near, beside), std::min(beams - 1, last_near + beside),
             within_m, within_m};

@@ -81,9 +81,9 @@ TEST(SafetyGovernor, LetsAVehicleLeaveAWallThatItStandsTooCloseTo) {
   }
 }
 
-// What a vehicle at a speed is given that wants to go straight on: from 0.6 m ahead of it on, it is
-// known to be free right_m to its right and left_m to its left.
-GovernedMotion before_walls(double speed_m_s, double right_m, double left_m) {
+// What a vehicle is given that wants to go straight on, allowed all it wants before or nothing:
+// from 0.6 m ahead of it on, it is known to be free right_m to its right and left_m to its left.
+GovernedMotion before_walls(bool fast_before, double right_m, double left_m) {
   SafetyGovernor governor(
       velocity_response(find_regulator("ideal"), find_vehicle("ideal"), kPeriod_s), kBodyRadius_m,
       0.29, 0.05);
@@ -96,29 +96,29 @@ GovernedMotion before_walls(double speed_m_s, double right_m, double left_m) {
   // Fast before, in the open.
   FreeSpace open(kBounds);
   open.mark_disc(Vec2(0, 0), 3.5);
-  if (speed_m_s > 0) governor.allow(ahead, state, open, {}, KnownClearance::planned);
-  state.v_world.x() = speed_m_s;
+  if (fast_before) governor.allow(ahead, state, open, {}, KnownClearance::planned);
+  state.v_world.x() = 1.5;
   return governor.allow(ahead, state, free, {}, KnownClearance::planned);
 }
 
 TEST(SafetyGovernor, GoesAsideAtFullSpeedWhereThereIsRoom) {
   for (const bool wall_is_left : {true, false}) {
     const double right_m = wall_is_left ? 1.5 : 0.24, left_m = wall_is_left ? 0.24 : 1.5;
-    const GovernedMotion fast = before_walls(1.5, right_m, left_m);
+    const GovernedMotion fast = before_walls(true, right_m, left_m);
     EXPECT_EQ(fast.speed_scale, 1) << wall_is_left;
     EXPECT_LT(fast.v_world.y() * (wall_is_left ? 1 : -1), -0.1);
     EXPECT_GT(fast.v_world.x(), 1.5);
     EXPECT_FALSE(fast.tube_world.empty());
   }
-  const GovernedMotion straight = before_walls(1.5, 0.6, 0.6);
+  const GovernedMotion straight = before_walls(true, 0.6, 0.6);
   EXPECT_EQ(straight.speed_scale, 1);
   EXPECT_EQ(straight.v_world.y(), 0);
-  const GovernedMotion between = before_walls(1.5, 0.24, 0.24);
+  const GovernedMotion between = before_walls(true, 0.24, 0.24);
   EXPECT_LT(between.speed_scale, 1) << "no room";
 }
 
-TEST(SafetyGovernor, GoesStraightWhenItIsSlow) {
-  const GovernedMotion slow = before_walls(0, 1.5, 0.24);
+TEST(SafetyGovernor, GoesStraightWhenItWasHeldBack) {
+  const GovernedMotion slow = before_walls(false, 1.5, 0.24);
   EXPECT_EQ(slow.v_world.y(), 0);
   EXPECT_LT(slow.speed_scale, 1);
 }
