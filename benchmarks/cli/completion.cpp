@@ -3,9 +3,8 @@
 #include <algorithm>
 #include <ostream>
 
-#include <CLI/CLI.hpp>
-
 #include "voronaut/benchmarks/cli/commands.h"
+#include "voronaut/benchmarks/cli/option_lists.h"
 
 namespace voronaut {
 
@@ -88,32 +87,46 @@ std::string command_names(const std::vector<CompletedCommand>& commands) {
   return text + "--help --version";
 }
 
+// "'report -f' | 'report --format') values='html md' ;;" for each option whose values are known.
+std::string value_cases(const CompletedCommand& command) {
+  std::string lines;
+  for (const CompletedOption& option : command.options) {
+    if (option.choices.empty()) continue;
+    std::string pattern;
+    for (const std::string& name : option.names)
+      pattern += (pattern.empty() ? "'" : " | '") + command.name + " " + name + "'";
+    lines += "    " + pattern + ") values='" + joined(option.choices) + "' ;;\n";
+  }
+  return lines;
+}
+
+// What words a command takes that are no files.
+std::string name_case(const CompletedCommand& command) {
+  const std::string known = "names='" + joined(command.choices) + "'";
+  const auto asked = [](const std::string& what) {
+    return "names=$(voronaut list " + what + " 2>/dev/null | cut -d ' ' -f 1)";
+  };
+  std::string words;
+  if (command.takes_name)
+    words = "[ \"$nth\" -eq 2 ] && " + known + " || " + asked("\"$first\"");
+  else if (!command.choices.empty())
+    words = known;
+  else if (command.takes_suite)
+    words = asked("suites");
+  return words.empty() ? "" : "    " + command.name + ") " + words + " ;;\n";
+}
+
 // What may come next, as bash and zsh both read it: in `switches` the options of the command, in
 // `values` what the option before takes, in `names` what else may stand here.
 std::string cases(const std::vector<CompletedCommand>& commands) {
-  std::string options = "  case $command in\n";
-  std::string values = "  case \"$command $previous\" in\n";
-  std::string firsts = "  case $command in\n";
+  std::string options, values, names;
   for (const CompletedCommand& command : commands) {
     options += "    " + command.name + ") switches='" + option_names(command) + "' ;;\n";
-    for (const CompletedOption& option : command.options) {
-      if (option.choices.empty()) continue;
-      std::string pattern;
-      for (const std::string& name : option.names)
-        pattern += (pattern.empty() ? "'" : " | '") + command.name + " " + name + "'";
-      values += "    " + pattern + ") values='" + joined(option.choices) + "' ;;\n";
-    }
-    if (command.takes_name)
-      firsts += "    " + command.name + ") [ \"$nth\" -eq 2 ] && names='" +
-                joined(command.choices) +
-                "' || names=$(voronaut list \"$first\" 2>/dev/null | cut -d ' ' -f 1) ;;\n";
-    else if (!command.choices.empty())
-      firsts += "    " + command.name + ") names='" + joined(command.choices) + "' ;;\n";
-    else if (command.takes_suite)
-      firsts += "    " + command.name +
-                ") names=$(voronaut list suites 2>/dev/null | cut -d ' ' -f 1) ;;\n";
+    values += value_cases(command);
+    names += name_case(command);
   }
-  return options + "  esac\n" + values + "  esac\n" + firsts + "  esac\n";
+  return "  case $command in\n" + options + "  esac\n  case \"$command $previous\" in\n" + values +
+         "  esac\n  case $command in\n" + names + "  esac\n";
 }
 
 std::string bash(const std::vector<CompletedCommand>& commands) {
@@ -212,7 +225,7 @@ const std::vector<std::string>& completed_shells() {
   return shells;
 }
 
-std::string completion_script(const CLI::App& app, const std::string& shell) {
+std::string completion_of(const CLI::App& app, const std::string& shell) {
   const auto commands = commands_of(app);
   if (shell == "bash") return bash(commands);
   return shell == "zsh" ? zsh(commands) : fish(commands);

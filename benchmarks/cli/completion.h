@@ -3,10 +3,6 @@
 #include <string>
 #include <vector>
 
-namespace CLI {
-class App;
-}
-
 // What completes the program's commands in a shell, made of the commands themselves.
 namespace voronaut {
 
@@ -15,8 +11,6 @@ const std::vector<std::string>& completed_shells();
 // For bash a file to source, or for share/bash-completion/completions/voronaut; for zsh `_voronaut`
 // in a folder of $fpath; for fish a file for vendor_completions.d. Names of what ships and of what
 // plans and flies are asked of the program when they are needed.
-std::string completion_script(const CLI::App& app, const std::string& shell);
-// Of the commands of this program.
 std::string completion_script(const std::string& shell);
 
 }  // namespace voronaut

@@ -27,6 +27,9 @@ void add_data(CLI::App* command, std::string& data);
 void add_settings(CLI::App* command, std::vector<std::string>& settings);
 void add_plugins(CLI::App* command, std::vector<std::string>& plugins);
 
+// What completes the commands of `app` in a shell (completion.h).
+std::string completion_of(const CLI::App& app, const std::string& shell);
+
 // Reads into `options` what belongs to each command; the command that was given says which holds.
 struct Commands {
   explicit Commands(CLI::App& app);

@@ -164,7 +164,7 @@ std::string in_one_line(std::string text) {
 std::string completion_script(const std::string& shell) {
   CLI::App app("", "voronaut");
   const Commands commands(app);
-  return completion_script(app, shell);
+  return completion_of(app, shell);
 }
 
 ParsedArguments parse_arguments(int argc, const char* const* argv, std::ostream& out,
