@@ -145,7 +145,8 @@ ExitCode execute(const InitOptions& options, const CommandContext& context) {
       fs::rename(made, folder);
     }
   } catch (...) {
-    fs::remove_all(made);
+    std::error_code ignored;
+    fs::remove_all(made, ignored);
     throw;
   }
   for (const auto& [name, text] : files)

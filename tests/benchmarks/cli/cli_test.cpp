@@ -260,6 +260,12 @@ TEST_F(CommandLine, BeginsWithAFolderThatRuns) {
   EXPECT_EQ(voronaut("init own/suite.yaml").err, "voronaut: own/suite.yaml: is no folder\n");
   EXPECT_EQ(voronaut("init own/suite.yaml/below").exit_code, 2);
 
+  const std::string full = "ulimit -f 1; cd '" + path("").string() + "' && '" + VORONAUT_PROGRAM +
+                           "' init full 2>/dev/null";  // no file of more than 1 KiB: a full disk
+  EXPECT_EQ(WEXITSTATUS(std::system(("bash -c \"" + full + "\"").c_str())), 1);
+  EXPECT_FALSE(std::filesystem::exists(path("full")));
+  EXPECT_FALSE(std::filesystem::exists(path("full.part")));
+
   std::filesystem::create_directory(path("there"));
   EXPECT_EQ(voronaut("init there/").exit_code, 0) << "an empty one";
   EXPECT_FALSE(std::filesystem::exists(path("there/.part")));
