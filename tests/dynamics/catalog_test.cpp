@@ -40,7 +40,6 @@ TEST(Catalog, MakesEveryVehicleWithItsRegulator) {
 
 TEST(Catalog, KnowsTheBodies) {
   EXPECT_EQ(find_vehicle("quadrotor").body_radius_m, 0.25);
-  EXPECT_EQ(find_vehicle("quadrotor").planning_clearance_m, 0.40);
   EXPECT_EQ(find_vehicle("quadrotor").limits.max_speed_m_s, 2.5);
   EXPECT_EQ(find_vehicle("quadrotor_props").body_radius_m, 0.39);
   EXPECT_EQ(find_vehicle("quadrotor_props").planning_clearance_m, 0.5);
@@ -50,6 +49,15 @@ TEST(Catalog, KnowsTheBodies) {
   EXPECT_NEAR(find_vehicle("jackal").body_radius_m, 0.5 * std::hypot(0.458, 0.416), 1e-3);
   EXPECT_EQ(find_vehicle("jackal").limits.max_speed_m_s, 2);
   EXPECT_EQ(find_vehicle("cart").limits.max_speed_m_s, 1.25);
+}
+
+TEST(Catalog, PlansWithAHandsWidthBesideTheBody) {
+  const auto beside_body_m = [](const char* name) {
+    return find_vehicle(name).planning_clearance_m - find_vehicle(name).body_radius_m;
+  };
+  for (const char* name : {"ideal", "unicycle", "jackal", "cart"})
+    EXPECT_NEAR(beside_body_m(name), 0.04, 1e-12) << name;
+  EXPECT_NEAR(beside_body_m("quadrotor"), 0.06, 1e-12);
 }
 
 TEST(Catalog, TellsWhatWheelsCannotDo) {

@@ -19,7 +19,7 @@ class TuningsAsUsersRunThem : public ProgramInFolder {
     write("wood.yaml",
           "suite: wood\nseed: 3\nrepetitions: 6\n"
           "scenarios: [{name: wood, generator: {name: forest, side_m: 8, density_per_m2: 0.1}}]\n"
-          "vehicles: [ideal]\n"
+          "vehicles: [{name: ideal, params: {planning_clearance_m: 0.4}}]\n"
           "planners: [{name: RRTConnect, label: mine, params: {intermediate_states: true}}, "
           "PotentialField]\n"
           "acceptance: [{planner: PotentialField, collision_share_max: 1}]\ntraces: none\n");

@@ -17,13 +17,14 @@ namespace {
 
 TrialSpec cart_trial(const std::string& scenario, const std::string& navigation) {
   static const PlannerCatalog planners = PlannerCatalog::built_in();
-  const SuiteConfig suite =
-      read_suite(ConfigNode::parse("suite: s\nscenarios: [{name: a, " + scenario +
-                                       "}]\nvehicles: [cart]\nplanners: [VoronoiRoadmap]\n"
-                                       "navigation: {preset: paper, yaw_policy: path, " +
-                                       navigation + "}\n",
-                                   "s.yaml"),
-                 "", planners);
+  const SuiteConfig suite = read_suite(
+      ConfigNode::parse("suite: s\nscenarios: [{name: a, " + scenario +
+                            "}]\nvehicles: [{name: cart, params: {planning_clearance_m: 0.37}}]\n"
+                            "planners: [VoronoiRoadmap]\n"
+                            "navigation: {preset: paper, yaw_policy: path, " +
+                            navigation + "}\n",
+                        "s.yaml"),
+      "", planners);
   TrialSpec spec = SuiteTrials(suite).next()->spec;
   ShortestReferences::exact().add_to(spec);
   return spec;

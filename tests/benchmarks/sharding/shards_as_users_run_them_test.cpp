@@ -28,7 +28,8 @@ class ShardedRunByCommands : public ::testing::Test {
     std::ofstream(path("s.yaml"))
         << "suite: s\nrepetitions: 4\nscenarios:\n  - {name: open, world: {circles: [[2, 3, 0.5]]},"
            " bounds: [[-2, -2], [5, 5]], start: [0, 0], goal: [2, 1]}\n  - {name: wood, generator:"
-           " {name: forest, side_m: 6, density_per_m2: 0.05}}\nvehicles: [ideal]\n"
+           " {name: forest, side_m: 6, density_per_m2: 0.05}}\n"
+           "vehicles: [{name: ideal, params: {planning_clearance_m: 0.4}}]\n"
            "planners: [RRTConnect, PotentialField]\n";
   }
   int voronaut(const std::string& arguments) {

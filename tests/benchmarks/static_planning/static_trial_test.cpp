@@ -23,7 +23,8 @@ const std::string kSuite =
     " start: [0, 0], goal: [5, 5]}\n"
     "  - {name: walled, world: {segments: [[[2, -1], [2, 6]]]}, bounds: [[-1, -1], [6, 6]],"
     " start: [0, 0], goal: [5, 5]}\n"
-    "vehicles: [quadrotor]\nplanners: [RRTConnect, RRTstar, VoronoiRoadmap]\n"
+    "vehicles: [{name: quadrotor, params: {planning_clearance_m: 0.4}}]\n"
+    "planners: [RRTConnect, RRTstar, VoronoiRoadmap]\n"
     "budget: {state_checks: 20000, ptc_evaluations: 80000}\n";
 
 std::map<std::string, RunRecord> solve_all() {

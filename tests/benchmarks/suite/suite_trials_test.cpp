@@ -105,7 +105,7 @@ TEST(TrialId, IsTheHashOfATextThatSaysEverything) {
                          "0.7071067811865475;goal_tolerance_m=0.2;vehicle=quadrotor;regulator=pd_"
                          "rate;planner=a;planner_name=RRTConnect;repetition=0;planner_seed="
                          "4417673679995516535;\n"
-                         "params: \nvehicle: body_radius_m=0.25;planning_clearance_m=0.4;"));
+                         "params: \nvehicle: body_radius_m=0.25;planning_clearance_m=0.31;"));
   for (const char* section : {"model", "regulator", "flight"})
     EXPECT_THAT(text, HasSubstr("\n" + std::string(section) + ": "));
   for (const char* section : {"range_finder", "mapping", "navigation", "loop", "budget"})

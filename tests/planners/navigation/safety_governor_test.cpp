@@ -109,6 +109,8 @@ TEST(SafetyGovernor, GoesAsideAtFullSpeedWhereThereIsRoom) {
     EXPECT_LT(fast.v_world.y() * (wall_is_left ? 1 : -1), -0.1);
     EXPECT_GT(fast.v_world.x(), 1.5);
     EXPECT_FALSE(fast.tube_world.empty());
+    EXPECT_EQ(std::get<VelocityCommand>(fast.command).v_world_m_s, fast.v_world)
+        << "what was proved";
   }
   const GovernedMotion straight = before_walls(true, 0.6, 0.6);
   EXPECT_EQ(straight.speed_scale, 1);
