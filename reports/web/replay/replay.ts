@@ -123,7 +123,7 @@ export class Replay {
       this.panelGrid,
       el("div", { class: "controls layers", role: "group", "aria-label": "Layers" },
         ...layerSwitches(this.layers, () => this.paint()), this.speedLegend()),
-      el("p", { class: "note" }, "Disc: the body; dotted circle: the clearance it plans with; cross: " +
+      el("p", { class: "note" }, "Disc or polygon: the body; dotted circle: the clearance it plans with; cross: " +
         "the setpoint; dashed line: the plan; dashed outlines: clusters, grouped as the map grouped them " +
         "at that moment; thin lines: what the planner's latest search looked at (of VoronoiRoadmap the Voronoi " +
         "edges wide enough to pass); band: what the body sweeps if it brakes after this scan's course, proved free. Space plays, arrows step, with shift a second, Home and End jump; press a curve to go there."),

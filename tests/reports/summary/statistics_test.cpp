@@ -35,9 +35,6 @@ std::vector<RunRecord> records() {
     r.step_time_us_mean = 100 * at;
     r.tracking_error_rms_m = 0.1 * at;
     r.energy_j = 1000 * at;
-    r.settling_s = 5 + at;
-    r.overshoot_m = 0.01 * at;
-    r.stopping_distance_m = 2 * at;
   }
   list[3].outcome = Outcome::collision;
   list[3].barn_score = 0;
@@ -76,9 +73,6 @@ TEST(Statistics, EveryOneEqualsWhatIsWorkedOutByHand) {
       {"speed_mean_median_m_s", {2.5, 4}},
       {"tracking_error_rms_median_m", {0.15, 4}},
       {"energy_median_j", {1000, 3}},
-      {"settling_median_s", {6.5, 4}},
-      {"overshoot_median_m", {0.015, 4}},
-      {"stopping_distance_median_m", {3, 4}},
       {"replans_median", {1, 5}},  // of 0, 0, 1, 2, 3
       {"state_checks_median", {100, 5}},
       {"planning_time_us_median", {15, 4}},
