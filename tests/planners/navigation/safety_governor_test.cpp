@@ -148,7 +148,7 @@ double narrowest_m(const MotionResponse& response, const DeclaredErrors& errors 
   for (double half_width_m = 0.2; half_width_m < 0.8; half_width_m += 0.01) {
     const FreeSpace free = strip(-1, 4, half_width_m);
     SafetyGovernor governor(response, kBodyRadius_m, kClearance_m, 0.05,
-                            SafetyGovernor::kEverywhere, errors);
+                            SafetyGovernor::kEverywhere, {}, errors);
     if (governor.allow({.v_world = Vec2(1.5, 0)}, state, free, {}, KnownClearance::planned)
             .speed_scale == 0)
       continue;
@@ -190,7 +190,7 @@ TEST(SafetyGovernor, GoesSlowerWhereStopsAreDeclaredToStrayWithSpeed) {
     VehicleState state = make_model(IdealConfig{})->at_rest({0, 0, 1}, {1, 0});
     state.v_world.x() = speed_m_s;
     SafetyGovernor governor(DriveResponse{}, kBodyRadius_m, kClearance_m, 0.05,
-                            SafetyGovernor::kEverywhere, errors);
+                            SafetyGovernor::kEverywhere, {}, errors);
     return governor.allow({.v_world = Vec2(1.5, 0)}, state, free, {}, KnownClearance::planned)
         .speed_scale;
   };
