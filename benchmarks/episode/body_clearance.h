@@ -15,9 +15,9 @@ class BodyClearance {
   BodyClearance(const ShapeIndex& shapes, const VehicleSpec& vehicle)
       : shapes_(shapes), radius_m_(vehicle.body_radius_m), footprint_(vehicle.footprint) {}
 
-  // The body's origin is at p, its x axis along `heading_world` (unit vector); `clearance_m` is the
-  // distance of p from the nearest shape. O(1) where no shape is nearer than one was before.
-  void add(const Vec2& p_world, const Vec2& heading_world, double clearance_m);
+  // `clearance_m`: the distance of the body's origin from the nearest shape. O(1) where no shape is
+  // nearer than one was before.
+  void add(const VehicleState& state, double clearance_m);
 
   double smallest_m() const { return smallest_m_; }  // 0: a contact; infinite: no shapes
 

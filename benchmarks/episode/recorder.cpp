@@ -50,10 +50,9 @@ void Recorder::path_adopted(const Path& path) {
 }
 
 void Recorder::record_tick(double now_s, const VehicleState& state) {
-  const Vec2 p = state.p_world.head<2>();
-  const double clearance_m = clearance_.at(p);
+  const double clearance_m = clearance_.at(state.p_world.head<2>());
   log_.ticks.push_back({now_s, state, clearance_m});
-  body_clearance_.add(p, state.heading_world(), clearance_m);
+  body_clearance_.add(state, clearance_m);
 }
 
 void Recorder::record_scan() {

@@ -26,6 +26,7 @@ Referee::Referee(const Scenario& scenario, const VehicleSpec& vehicle, double sh
       config_(config),
       contacts_(contacts ? std::move(contacts) : CollisionScene::of(scenario.world->shapes()),
                 vehicle.body_radius_m, vehicle.footprint),
+      turns_(!vehicle.footprint.is_disc()),
       anchor_(scenario.start_world) {
   const double reference_m = std::isfinite(shortest_length_m)
                                  ? shortest_length_m
@@ -41,7 +42,7 @@ void Referee::judge(double now_s, const VehicleState& state) {
   const Vec2 p = state.p_world.head<2>();
   const bool judged_height =
       state.p_world.z() >= kGroundHeight_m || scenario_.cruise_height_m < kGroundHeight_m;
-  if (judged_height && contacts_.touches(p, state.heading_world())) {
+  if (judged_height && contacts_.touches(p, turns_ ? state.heading_world() : Vec2::UnitX())) {
     finish(now_s, Outcome::collision, at_text("touched an obstacle", now_s, p));
   } else if (!scenario_.world->bounds().contains(p)) {
     finish(now_s, Outcome::out_of_bounds, at_text("left the bounds", now_s, p));

@@ -47,6 +47,7 @@ class Referee {
   const Scenario& scenario_;
   LoopConfig config_;
   GroundTruthCollisionChecker contacts_;
+  bool turns_;  // a polygon: which way it looks matters
   double time_limit_s_;
   std::optional<double> arrived_s_;
   std::optional<Verdict> verdict_;

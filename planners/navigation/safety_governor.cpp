@@ -159,6 +159,7 @@ PredictedStop SafetyGovernor::predict(std::size_t level) {
       sweep_ ? ladder_->predict(level, hold_s_, FootprintSweep::kSample_s, track_, &headings_)
              : ladder_->predict(level, hold_s_, kSample_s, track_);
   StopTube::straighten(track_, corners_);
+  if (errors_.sensing.none() && errors_.stop_per_speed_s == 0) return stop;
   double way_m = sweep_ ? tube_.body_radius_m() : 0;  // of what a wrong heading moves aside
   for (std::size_t i = 0; i + 1 < corners_.size(); ++i)
     way_m += (corners_[i + 1] - corners_[i]).norm();

@@ -37,16 +37,23 @@ StateEstimate::StateEstimate(const DeclaredErrors& errors, Step step, const Comm
       under_way_(static_cast<std::size_t>(std::lround(errors.latency_s / period_s)), hold) {}
 
 void StateEstimate::take(const VehicleState& told) {
-  if (gain_ < 1 && begun_)
-    observe(told);
-  else
-    now_ = told;
-  begun_ = true;
-  then_ = now_;
+  if (gain_ == 1) {
+    here_ = &told;
+  } else {
+    if (begun_)
+      observe(told);
+    else
+      now_ = told;
+    begun_ = true;
+    here_ = &now_;
+  }
+  if (under_way_.empty()) return;
+  then_ = *here_;
   for (const Command& each : under_way_) then_ = step_(then_, each);
 }
 
 void StateEstimate::command(const Command& given) {
+  if (under_way_.empty()) return;
   under_way_.push_back(given);
   under_way_.pop_front();
 }

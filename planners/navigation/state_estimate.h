@@ -25,11 +25,16 @@ class StateEstimate {
   // `hold`: what acts before any command does.
   StateEstimate(const DeclaredErrors& errors, Step step, const Command& hold, double period_s);
 
+  StateEstimate(const StateEstimate&) = delete;  // here_ leads into it
+  StateEstimate& operator=(const StateEstimate&) = delete;
+
+  // `told` must live as long as the answers are asked for: they are `told` itself where nothing is
+  // to be filtered and nothing is under way.
   void take(const VehicleState& told);
   void command(const Command& given);
 
-  const VehicleState& now() const { return now_; }
-  const VehicleState& when_it_acts() const { return then_; }
+  const VehicleState& now() const { return *here_; }
+  const VehicleState& when_it_acts() const { return under_way_.empty() ? *here_ : then_; }
 
  private:
   void observe(const VehicleState& told);
@@ -40,6 +45,7 @@ class StateEstimate {
   std::deque<Command> under_way_;  // the first acts now, the last one step before the next given
   bool begun_ = false;
   VehicleState now_, then_;
+  const VehicleState* here_ = &now_;
 };
 
 }  // namespace voronaut

@@ -109,23 +109,27 @@ TEST(PolygonBody, IsJudgedByTheRefereeAsItIsTurned) {
   EXPECT_EQ(outcome(Vec2(0, 1)), Outcome::collision);
 }
 
+VehicleState standing(const Vec2& p, const Vec2& heading) {
+  return make_model(UnicycleConfig{})->at_rest({p.x(), p.y(), 0}, heading);
+}
+
 TEST(BodyClearance, IsTheLeastThatTheTurnedSurfaceKept) {
   const Shapes pillar{{{Vec2(1, 0), 0.5}}, {}, {}};
   const ShapeIndex index(pillar);
   BodyClearance of_polygon(index, rectangle());
-  of_polygon.add(Vec2(0, 0), Vec2(0, 1), index.clearance_m(Vec2(0, 0)));
+  of_polygon.add(standing(Vec2(0, 0), Vec2(0, 1)), index.clearance_m(Vec2(0, 0)));
   EXPECT_NEAR(of_polygon.smallest_m(), 0.35, 1e-12);
-  of_polygon.add(Vec2(0, 0), Vec2(1, 0), index.clearance_m(Vec2(0, 0)));
+  of_polygon.add(standing(Vec2(0, 0), Vec2(1, 0)), index.clearance_m(Vec2(0, 0)));
   EXPECT_NEAR(of_polygon.smallest_m(), 0.2, 1e-12);
-  of_polygon.add(Vec2(-1, 0), Vec2(1, 0), index.clearance_m(Vec2(-1, 0)));
+  of_polygon.add(standing(Vec2(-1, 0), Vec2(1, 0)), index.clearance_m(Vec2(-1, 0)));
   EXPECT_NEAR(of_polygon.smallest_m(), 0.2, 1e-12);
-  of_polygon.add(Vec2(0.3, 0), Vec2(1, 0), index.clearance_m(Vec2(0.3, 0)));
+  of_polygon.add(standing(Vec2(0.3, 0), Vec2(1, 0)), index.clearance_m(Vec2(0.3, 0)));
   EXPECT_EQ(of_polygon.smallest_m(), 0);
 
   VehicleSpec disc;
   disc.body_radius_m = 0.2;
   BodyClearance of_disc(index, disc);
-  of_disc.add(Vec2(0, 0), Vec2(0, 1), index.clearance_m(Vec2(0, 0)));
+  of_disc.add(standing(Vec2(0, 0), Vec2(0, 1)), index.clearance_m(Vec2(0, 0)));
   EXPECT_NEAR(of_disc.smallest_m(), 0.3, 1e-12);
 }
 

@@ -306,7 +306,7 @@ TEST(Runner, ComputesEachReferenceOnce) {
   EXPECT_EQ(calls, 2 + 4 * 2) << "one fixed world, four random ones, two radii";
   for (const RunRecord& record : store.records()) {
     EXPECT_EQ(record.shortest_length_m, 0.25);
-    EXPECT_EQ(record.shortest_at_clearance_m, 0.4);
+    EXPECT_EQ(record.shortest_at_clearance_m, 0.31);
   }
 }
 
