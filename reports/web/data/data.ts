@@ -13,6 +13,7 @@ export interface Estimate {
   value: number | null;
   interval: [number | null, number | null];
   n: number;
+  too_few?: number[];  // the values, ascending, where they are too few for the interval
 }
 
 // A line of the table of statistics (reports/summary/statistics.h).
