@@ -90,7 +90,7 @@ std::string full_text(const Statistic& statistic, const Estimate& estimate,
          over(statistic, estimate, counts);
 }
 
-std::string other_outcomes(const OutcomeCounts& counts, Output output) {
+std::string other_outcomes(const OutcomeCounts& counts, Output output, bool flown) {
   std::string shown;
   for (const Statistic* statistic : statistics_shown(output))
     shown.append(statistic->name).append(" ");
@@ -100,7 +100,7 @@ std::string other_outcomes(const OutcomeCounts& counts, Output output) {
     if (count == 0 || shown.find(std::string(entry.name) + "_share ") != std::string::npos)
       continue;
     text.append(text.empty() ? "" : ", ").append(std::to_string(count)).append(" ");
-    text.append(entry.words);
+    text.append(!flown && entry.outcome == Outcome::timeout ? "budget spent" : entry.words);
   }
   return text;
 }

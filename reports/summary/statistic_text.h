@@ -32,7 +32,8 @@ std::string brief_text(const Statistic& statistic, const Estimate& estimate,
 std::string full_text(const Statistic& statistic, const Estimate& estimate,
                       const OutcomeCounts& counts);
 
-// "3 stuck, 1 crash": those of which `output` shows no share; empty for none.
-std::string other_outcomes(const OutcomeCounts& counts, Output output);
+// "3 stuck, 1 crash": those of which `output` shows no share; empty for none. Of static planning,
+// where nothing has flown, a timeout is a spent budget.
+std::string other_outcomes(const OutcomeCounts& counts, Output output, bool flown = true);
 
 }  // namespace voronaut

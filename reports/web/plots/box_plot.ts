@@ -12,6 +12,7 @@ import { Palette } from "../elements/palette";
 import { Sample, Value } from "../data/sample";
 
 const kMostDots = 400;  // of a row; failures are always drawn
+const kLeastRow = 34;    // a name, and a box below it
 const kFewestBoxed = 6;  // below, quartiles are little more than the values
 
 interface Row {
@@ -82,10 +83,11 @@ export function boxPlot(
     shown: s.trials.filter((t) => !Number.isNaN(value(t)) && (!logarithmic || value(t) > 0)),
   })).filter((row) => row.shown.length > 0);
   const x = scaleFor(rows.flatMap((r) => r.shown.map(value)).sort(ascending), logarithmic);
+  const height = Math.max(kHeight, kMargin.top + kMargin.bottom + kLeastRow * rows.length);
   const band = scaleBand().domain(rows.map((r) => r.planner))
-    .range([kMargin.top, kHeight - kMargin.bottom]).padding(0.25);
-  const root = frame(title);
-  drawAxes(root, { x, xName, y: null, yName: "planner",
+    .range([kMargin.top, height - kMargin.bottom]).padding(0.25);
+  const root = frame(title, height);
+  drawAxes(root, { x, xName, y: null, yName: "planner", height,
     xTicks: logarithmic ? axisBottom(x).ticks(5, "~g") : undefined });
   for (const row of rows) {
     const place = { x, mid: (band(row.planner) ?? 0) + band.bandwidth() / 2,

@@ -132,6 +132,12 @@ TEST(StatisticText, WritesAShareInPercentAndANumberWithItsInterval) {
       << "says it where not all of its trials have a value";
   EXPECT_EQ(other_outcomes(outcome_counts(pointers(list)), kText), "1 collision, 1 infeasible");
   EXPECT_EQ(other_outcomes(outcome_counts(pointers(list)), kEvidence), "1 infeasible");
+  list.front().outcome = Outcome::timeout;
+  EXPECT_EQ(other_outcomes(outcome_counts(pointers(list)), kEvidence), "1 timeout, 1 infeasible");
+  EXPECT_EQ(other_outcomes(outcome_counts(pointers(list)), kEvidence, false),
+            "1 budget spent, 1 infeasible")
+      << "of static planning";
+  list.front().outcome = Outcome::goal_reached;
   const auto once = list;
   for (int more = 0; more < 2; ++more) list.insert(list.end(), once.begin(), once.end());
   EXPECT_EQ(text("path_ratio_median", full_text), "1.100 [1.000, 1.200]");
