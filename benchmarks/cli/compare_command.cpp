@@ -46,18 +46,6 @@ ComparisonConfig config_of(const CompareOptions& options) {
   return config;
 }
 
-// Pairs of one trial in two runs must have met the same world.
-SameFlight same_flight_in_one_world(const CompareOptions& options) {
-  return [&options](const RunRecord& before, const RunRecord& now) {
-    if (!before.world_id.empty() && !now.world_id.empty() && before.world_id != now.world_id)
-      throw std::invalid_argument(options.folders[1] + ": not to be compared with " +
-                                  options.folders[0] + ": scenario " + in_quotes(now.scenario) +
-                                  ", repetition " + std::to_string(now.repetition) +
-                                  ", has another world");
-    return same_flight(before, now);
-  };
-}
-
 RunComparison compare_folders(const CompareOptions& options, const CommandContext& context) {
   const OutputFolder before = OutputFolder::open(options.folders[0]);
   const OutputFolder now = OutputFolder::open(options.folders[1]);
@@ -69,9 +57,7 @@ RunComparison compare_folders(const CompareOptions& options, const CommandContex
         differing.front() +
         (differing.size() > 1 ? " and " + std::to_string(differing.size() - 1) + " more" : "") +
         " (what is meant to differ: --across KEY)");
-  ComparisonConfig config = config_of(options);
-  config.same_flight = same_flight_in_one_world(options);
-  return now.compare_with(before, config);
+  return now.compare_with(before, config_of(options));
 }
 
 // The trials of one planner, by a name that both sides of the comparison share. At the end

@@ -34,8 +34,15 @@ void require_known(const Names& chosen, const std::vector<RunRecord>& records, c
   }
 }
 
+// What a figure leaves out because no trace of it is kept, said beside it.
+void say_what_is_kept(std::ostream& err, std::size_t kept, std::size_t wanted, bool failures_only) {
+  if (kept < wanted)
+    err << "voronaut: " << kept << " of " << wanted << " flights of this choice are kept"
+        << (failures_only ? ", failures only" : "") << " (see 'traces' in the suite)\n";
+}
+
 // By scenario, repetition, vehicle and planner; those without a trace are left out.
-Names chosen_trials(const PlotOptions& options, const OutputFolder& folder) {
+Names chosen_trials(const PlotOptions& options, const OutputFolder& folder, std::ostream& err) {
   std::vector<RunRecord> records = folder.store().records();
   std::sort(records.begin(), records.end(), [](const RunRecord& a, const RunRecord& b) {
     return std::tie(a.scenario, a.repetition, a.vehicle, a.planner, a.trial_id) <
@@ -46,16 +53,22 @@ Names chosen_trials(const PlotOptions& options, const OutputFolder& folder) {
   require_known(options.planners, records, "--planner", [](auto& r) { return r.planner; });
   const auto sizes = folder.store().trace_sizes();
   Names ids;
+  std::size_t all = 0;
+  bool failures_only = true;
   for (const RunRecord& record : records) {
     const bool wanted = among(options.scenarios, record.scenario) &&
                         among(options.vehicles, record.vehicle) &&
                         among(options.planners, record.planner) &&
                         (!options.repetition || *options.repetition == record.repetition);
-    if (wanted && sizes.contains(record.trial_id)) ids.push_back(record.trial_id);
+    all += wanted ? 1U : 0U;
+    if (!wanted || !sizes.contains(record.trial_id)) continue;
+    ids.push_back(record.trial_id);
+    failures_only = failures_only && entry_of(record.outcome).failure;
   }
   if (ids.empty())
     throw std::invalid_argument(
         options.folder + ": no trial of this choice has a trace (see 'traces' in the suite)");
+  say_what_is_kept(err, ids.size(), all, failures_only);
   return ids;
 }
 
@@ -73,7 +86,7 @@ ExitCode execute(const PlotOptions& options, const CommandContext& context) {
   for (const std::string& beginning : options.trial_ids) {
     ids.push_back(folder.complete_id(beginning));
   }
-  if (chosen) ids = chosen_trials(options, folder);
+  if (chosen) ids = chosen_trials(options, folder, context.err);
   write_figure(figure_panels(folder.store(), ids), options.out);
   context.out << options.out << "\n";
   return ExitCode::success;

@@ -4,6 +4,7 @@
 #include <cstring>
 #include <fstream>
 #include <ostream>
+#include <set>
 #include <sstream>
 #include <stdexcept>
 
@@ -248,12 +249,63 @@ void OutputFolder::write_report(const fs::path& file, ReportBeside beside) const
   write_html_report(input, file);
 }
 
+namespace {
+
+std::set<std::string> names_in(const ResultStore& store, std::string RunRecord::*member) {
+  std::set<std::string> names;
+  store.for_each_record([&](const RunRecord& record) { names.insert(record.*member); });
+  return names;
+}
+
+// "scenarios 'a', 'b' and 7 more": the first few.
+std::string listed(const std::set<std::string>& names) {
+  constexpr std::size_t kListed = 3;
+  std::string text;
+  std::size_t count = 0;
+  for (const std::string& name : names)
+    if (count++ < kListed) text.append(text.empty() ? "" : ", ").append(in_quotes(name));
+  return names.size() <= kListed
+             ? text
+             : text + " and " + std::to_string(names.size() - kListed) + " more";
+}
+
+// Of runs that share no trial.
+std::string what_does_not_match(const ResultStore& now, const ResultStore& before) {
+  struct Part {
+    const char* plural;
+    std::string RunRecord::*member;
+  };
+  for (const Part& part :
+       {Part{"scenarios", &RunRecord::scenario}, Part{"vehicles", &RunRecord::vehicle},
+        Part{"regulators", &RunRecord::regulator}, Part{"planners", &RunRecord::planner}}) {
+    const auto here = names_in(now, part.member);
+    const auto there = names_in(before, part.member);
+    if (std::none_of(here.begin(), here.end(), [&](const auto& n) { return there.contains(n); }))
+      return std::string("no ") + part.plural + " in common: " + listed(here) + " here, " +
+             listed(there) + " there";
+  }
+  return "no trial has the same scenario, vehicle, regulator, planner and repetition";
+}
+
+}  // namespace
+
 RunComparison OutputFolder::compare_with(const OutputFolder& before,
                                          const ComparisonConfig& config) const {
+  const std::string refusal =
+      folder_.string() + ": not to be compared with " + before.folder_.string() + ": ";
   ComparisonConfig with_flights = config;
-  if (!with_flights.same_flight) with_flights.same_flight = same_flight;
+  const SameFlight alike = config.same_flight ? config.same_flight : same_flight;
+  with_flights.same_flight = [&](const RunRecord& one, const RunRecord& other) {
+    if (!one.world_id.empty() && !other.world_id.empty() && one.world_id != other.world_id)
+      throw std::invalid_argument(refusal + "scenario " + in_quotes(other.scenario) +
+                                  ", repetition " + std::to_string(other.repetition) +
+                                  ", has another world");
+    return alike(one, other);
+  };
   RunComparison comparison = compare_runs(store_.records_in(kPairingOrder),
                                           before.store_.records_in(kPairingOrder), with_flights);
+  if (comparison.pairs == 0)
+    throw std::invalid_argument(refusal + what_does_not_match(store_, before.store_));
   comparison.title = before.folder_.string();
   comparison.commit = commit_in(text_of(before.file("manifest.json")));
   return comparison;

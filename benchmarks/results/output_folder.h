@@ -67,7 +67,8 @@ class OutputFolder {
   // The HTML report, by default as report.html in the folder.
   void write_report() const { write_report(file("report.html"), {}); }
   void write_report(const std::filesystem::path& file, ReportBeside beside) const;
-  // What this run says against another one.
+  // What this run says against another one. Throws std::invalid_argument saying what does not match
+  // where no trial has a partner, or one's partner met another world.
   RunComparison compare_with(const OutputFolder& before, const ComparisonConfig& config = {}) const;
 
  private:

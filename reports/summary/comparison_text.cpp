@@ -18,8 +18,10 @@ std::string unit_of_change(const Statistic& statistic) {
   return statistic.estimator == Estimator::rate ? " points" : " %";
 }
 
-std::string interval_text(const Interval& interval) {
-  if (std::isnan(interval.low)) return "-";
+// The changes of few pairs are not listed: of a median they are pairs, of the rest they are none.
+std::string interval_text(const Statistic& statistic, const Change& change) {
+  const Interval& interval = change.interval;
+  if (std::isnan(interval.low)) return statistic.estimator == Estimator::smallest ? "-" : "too few";
   return "[" + signed_percent(interval.low) + ", " + signed_percent(interval.high) + "]";
 }
 
@@ -61,7 +63,7 @@ void add_rows(TextTable& table, const PlannerChange& planner, const RunCompariso
     table.rows.push_back(
         {printable(planner.group.scenario_group), printable(planner.group.vehicle),
          printable(planner.planner), statistic_name(statistic), std::to_string(change.n),
-         signed_percent(change.value) + unit_of_change(statistic), interval_text(change.interval),
+         signed_percent(change.value) + unit_of_change(statistic), interval_text(statistic, change),
          std::isnan(change.p) ? "-" : test_name(statistic, change), p_text(change.p_holm),
          verdict_text(change.verdict), fixed(change.repetitions_needed, 0)});
   }

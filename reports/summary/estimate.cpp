@@ -59,7 +59,11 @@ Estimate bootstrap(const std::vector<double>& sorted, const BootstrapConfig& con
     return estimate;
   }
   estimate.value = statistic(std::vector<std::uint32_t>(sorted.size(), 1));
-  if (sorted.size() < 2 || config.resamples == 0) {
+  if (config.resamples == 0) {
+    return estimate;
+  }
+  if (sorted.size() < kFewestResampled) {
+    estimate.too_few = sorted;
     return estimate;
   }
   SplitMix64 random(config.seed);
@@ -176,8 +180,9 @@ TestedEstimate bootstrap_test(const ResampledUnits& units, const ResampledValue&
   }
   if (resampled.empty()) return tested;
   std::sort(resampled.begin(), resampled.end());
-  tested.estimate.interval = {quantile_of_sorted(resampled, kTail),
-                              quantile_of_sorted(resampled, 1.0 - kTail)};
+  if (units.units >= kFewestResampled)
+    tested.estimate.interval = {quantile_of_sorted(resampled, kTail),
+                                quantile_of_sorted(resampled, 1.0 - kTail)};
   const auto at_most =
       std::upper_bound(resampled.begin(), resampled.end(), 0.0) - resampled.begin();
   const auto at_least = resampled.end() - std::lower_bound(resampled.begin(), resampled.end(), 0.0);

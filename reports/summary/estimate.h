@@ -17,14 +17,19 @@ struct Interval {
 };
 
 // A number over n values, with its interval: Wilson's of a rate, else bootstrapped. Absent for n =
-// 0; of what is bootstrapped also the interval for n = 1: resampling one value would pretend
-// certainty.
+// 0; of what is bootstrapped also the interval for n < kFewestResampled.
 struct Estimate {
   double value = kAbsent;
   Interval interval;
   std::int64_t n = 0;
   std::int64_t successes = 0;  // of a rate: value = successes / n
+  // All n values, ascending, where they are too few for the interval that is asked for.
+  std::vector<double> too_few = {};
 };
+
+// Fewer values have no interval: even smallest to largest misses the median with probability
+// 2^(1 - n), which is above 5 % then, and no test of their signs can say 5 %.
+inline constexpr std::size_t kFewestResampled = 6;
 
 // Wilson's score interval (E. B. Wilson, J. Am. Stat. Assoc. 22, 1927, doi:10.2307/2276774), which
 // stays inside [0, 1] and is not of zero width at 0 or n successes.
@@ -47,7 +52,8 @@ double quantile_of_sorted(std::span<const double> sorted, double probability);
 double quantile(std::vector<double> values, double probability);
 
 // A bootstrapped value with the two-sided p value of "it is 0" that goes with its interval: below
-// 5 % where the interval leaves 0 out. Never below 2^(1 - units), which is what any test can say
+// 5 % where the interval leaves 0 out. No interval of fewer units than kFewestResampled. p is never
+// below 2^(1 - units), which is what any test can say
 // that only takes differences of either sign for equally likely.
 struct TestedEstimate {
   Estimate estimate;

@@ -43,7 +43,7 @@ struct PairedValues {
 
   std::size_t size() const { return now.size(); }
 };
-inline constexpr std::size_t kFewestWorlds = 6;  // below, no test can say 5 %
+inline constexpr std::size_t kFewestWorlds = kFewestResampled;
 
 // Of a rate.
 struct PairedCounts {

@@ -103,16 +103,21 @@ BarnDifference difference_of(const Entrant& ours, const Entrant& theirs, const B
   difference.method = theirs.second;
   difference.worlds = static_cast<std::int64_t>(met.size());
   difference.score = tested.estimate;
+  if (differences.size() < kFewestResampled) {
+    std::ranges::sort(differences);
+    difference.score.too_few = differences;
+  }
   difference.p = tested.p;
   return difference;
 }
 
-std::string with_interval(const Estimate& estimate, double scale, int digits) {
-  if (std::isnan(estimate.value)) return "-";
-  const std::string value = fixed(scale * estimate.value, digits);
-  if (std::isnan(estimate.interval.low)) return value;
-  return value + " [" + fixed(scale * estimate.interval.low, digits) + ", " +
-         fixed(scale * estimate.interval.high, digits) + "]";
+std::string with_spread(const Estimate& estimate, int digits) {
+  return fixed(estimate.value, digits) + spread_text(estimate, digits);
+}
+
+std::string percent_with_interval(Estimate rate) {
+  for (double* share : {&rate.value, &rate.interval.low, &rate.interval.high}) *share *= 100;
+  return with_spread(rate, 1);
 }
 
 TextTable standings_table(const BarnComparison& comparison) {
@@ -127,9 +132,9 @@ TextTable standings_table(const BarnComparison& comparison) {
   for (const BarnStanding& one : comparison.standings)
     table.rows.push_back({printable(one.name),
                           one.vehicle.empty() ? "published" : printable(one.vehicle),
-                          std::to_string(one.reached.n), with_interval(one.reached, 100, 1),
-                          with_interval(one.collided, 100, 1), with_interval(one.score, 1, 3),
-                          with_interval(one.time_s, 1, 1)});
+                          std::to_string(one.reached.n), percent_with_interval(one.reached),
+                          percent_with_interval(one.collided), with_spread(one.score, 3),
+                          with_spread(one.time_s, 1)});
   return table;
 }
 
@@ -142,7 +147,7 @@ TextTable differences_table(const BarnComparison& comparison) {
                   {}};
   for (const BarnDifference& one : comparison.differences)
     table.rows.push_back({printable(one.planner), printable(one.vehicle), printable(one.method),
-                          with_interval(one.score, 1, 3),
+                          with_spread(one.score, 3),
                           one.p_holm < 0.0001 ? "< 0.0001" : fixed(one.p_holm, 4)});
   return table;
 }

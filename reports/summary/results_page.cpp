@@ -136,7 +136,9 @@ std::string results_page() {
          "summary` "
          "(all of them with `--json` and `--csv`), the report, docs/evidence.md. A share has "
          "Wilson's "
-         "95 % interval, the others a bootstrap interval, the smallest none. An acceptance "
+         "95 % interval at any n, the others a bootstrap interval over six values or more, the "
+         "smallest none; of fewer the values themselves are printed, `too_few` in JSON. An "
+         "acceptance "
          "criterion "
          "bounds a statistic by its name with `_min` where more is better, `_max` where less "
          "is.\n\n" +

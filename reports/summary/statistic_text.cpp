@@ -16,10 +16,14 @@ std::string number(const Statistic& statistic, double value) {
   return fixed(is_rate(statistic) ? 100 * value : value, statistic.digits);
 }
 
-std::string interval(const Statistic& statistic, const Estimate& estimate) {
-  if (std::isnan(estimate.interval.low)) return "";
-  return " [" + number(statistic, estimate.interval.low) + ", " +
-         number(statistic, estimate.interval.high) + "]";
+std::string brackets(const Interval& interval, double scale, int digits) {
+  if (std::isnan(interval.low)) return "";
+  return " [" + fixed(scale * interval.low, digits) + ", " + fixed(scale * interval.high, digits) +
+         "]";
+}
+
+std::string rate_interval(const Statistic& statistic, const Estimate& estimate) {
+  return brackets(estimate.interval, 100, statistic.digits);
 }
 
 std::string over(const Statistic& statistic, const Estimate& estimate,
@@ -45,6 +49,15 @@ std::string fixed(double value, int digits) {
   return text;
 }
 
+std::string spread_text(const Estimate& estimate, int digits) {
+  if (estimate.too_few.empty()) return brackets(estimate.interval, 1, digits);
+  if (estimate.too_few.size() == 1) return " (one value)";
+  std::string text;
+  for (const double value : estimate.too_few)
+    text.append(text.empty() ? " (too few: " : ", ").append(fixed(value, digits));
+  return text + ")";
+}
+
 std::string heading(const Statistic& statistic) {
   std::string text(statistic.label);
   text.append("\n").append(estimator_words(statistic));
@@ -63,7 +76,7 @@ std::string brief_text(const Statistic& statistic, const Estimate& estimate,
                        const OutcomeCounts& counts) {
   if (estimate.n == 0) return "-";
   return number(statistic, estimate.value) +
-         (is_rate(statistic) ? " %" + interval(statistic, estimate) : "") +
+         (is_rate(statistic) ? " %" + rate_interval(statistic, estimate) : "") +
          over(statistic, estimate, counts);
 }
 
@@ -73,11 +86,11 @@ std::string full_text(const Statistic& statistic, const Estimate& estimate,
   if (is_rate(statistic))
     return std::to_string(estimate.successes) + " of " + std::to_string(estimate.n) + ", " +
            brief_text(statistic, estimate, counts);
-  return number(statistic, estimate.value) + interval(statistic, estimate) +
+  return number(statistic, estimate.value) + spread_text(estimate, statistic.digits) +
          over(statistic, estimate, counts);
 }
 
-std::string other_outcomes(const OutcomeCounts& counts, Output output) {
+std::string other_outcomes(const OutcomeCounts& counts, Output output, bool flown) {
   std::string shown;
   for (const Statistic* statistic : statistics_shown(output))
     shown.append(statistic->name).append(" ");
@@ -87,7 +100,7 @@ std::string other_outcomes(const OutcomeCounts& counts, Output output) {
     if (count == 0 || shown.find(std::string(entry.name) + "_share ") != std::string::npos)
       continue;
     text.append(text.empty() ? "" : ", ").append(std::to_string(count)).append(" ");
-    text.append(entry.words);
+    text.append(!flown && entry.outcome == Outcome::timeout ? "budget spent" : entry.words);
   }
   return text;
 }

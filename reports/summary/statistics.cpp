@@ -53,7 +53,7 @@ const Statistic kStatistics[] = {
     {"energy_median_j", goal_reached, median, &R::energy_j, less, 0, "energy", kPage},
     {"replans_median", all, median, &R::replans, neither, 0, "replans", kPage},
     {"state_checks_median", all, median, &R::state_checks, less, 0, "state checks", kPage | kSweep | kComparison, "How much work is it?", Axis::logarithmic},
-    {"planning_time_us_median", moved, median, &R::planning_time_us_mean, less, 1, "planning per scan", kEverywhere, "What does planning cost?", Axis::logarithmic},
+    {"planning_time_us_median", moved, median, &R::planning_time_us_mean, less, 1, "planning time", kEverywhere, "What does planning cost?", Axis::logarithmic},
     {"step_time_us_median", moved, median, &R::step_time_us_mean, less, 1, "whole step", kPage},
     {"barn_score_mean", all, mean, &R::barn_score, more, 3, "BARN score", kText | kPage | kEvidence | kComparison},
     {"barn_pace_mean", goal_reached, mean, &R::barn_pace, more, 3, "BARN pace", kText | kPage | kEvidence | kComparison},

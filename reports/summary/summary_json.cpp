@@ -16,7 +16,9 @@ json number(double value) { return std::isfinite(value) ? json(value) : json(nul
 json interval(const Interval& i) { return json::array({number(i.low), number(i.high)}); }
 
 json estimate(const Estimate& e) {
-  return {{"value", number(e.value)}, {"interval", interval(e.interval)}, {"n", e.n}};
+  json out{{"value", number(e.value)}, {"interval", interval(e.interval)}, {"n", e.n}};
+  for (const double value : e.too_few) out["too_few"].push_back(number(value));
+  return out;
 }
 
 json rate_json(const Estimate& r) {

@@ -61,7 +61,8 @@ std::vector<std::string> statistics_row(const PlannerSummary& s,
                                         const std::vector<const Statistic*>& shown) {
   std::vector<std::string> row{printable(s.planner), std::to_string(s.n), std::to_string(s.rank)};
   for (const Statistic* one : shown) row.push_back(brief_text(*one, s.of(one->name), s.outcomes));
-  row.push_back(other_outcomes(s.outcomes, kText));
+  const bool flown = s.of("speed_mean_median_m_s").n > 0;
+  row.push_back(other_outcomes(s.outcomes, kText, flown));
   return row;
 }
 

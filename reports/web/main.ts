@@ -1,10 +1,11 @@
 import { comparisonSection } from "./pages/comparison";
 import { MappingData, Published, readReport, Report } from "./data/data";
+import { followAddress, readChoices } from "./elements/chosen";
 import { distributions } from "./pages/distributions";
 import { el, percent } from "./elements/dom";
 import { failuresSection } from "./pages/failures";
 import { figure9Section, hasFigure9 } from "./pages/figure9";
-import { filterBar } from "./elements/filter_bar";
+import { chosenFilter, filterBar } from "./elements/filter_bar";
 import { pageOf } from "./elements/links";
 import { buildMappingPage, mappingSection } from "./pages/mapping";
 import { failed } from "./data/outcomes";
@@ -80,7 +81,7 @@ function pagesOf(report: Report, palette: Palette, replay: Replay): Page[] {
 
 function build(report: Report, root: HTMLElement): void {
   const palette = new Palette(report.planners);
-  const filter: Filter = { group: "", vehicle: "", planners: new Set(report.planners) };
+  const filter = chosenFilter(report);
   const replay = new Replay(report, palette);
   const pages = pagesOf(report, palette, replay);
   const stale = new Set(pages.map((p) => p.id));
@@ -113,12 +114,14 @@ function build(report: Report, root: HTMLElement): void {
     el("main", {}, ...sections));
   show();
   window.addEventListener("hashchange", () => {
+    followAddress();
     show();
     if (!location.hash.startsWith("#replay")) window.scrollTo(0, 0);
   });
 }
 
 function start(): void {
+  readChoices();
   followSystemTheme();
   startTooltips();
   const root = document.getElementById("page") as HTMLElement;

@@ -3,6 +3,7 @@
 import type { MappedLog } from "./mapped_log";
 import type { Micro } from "./micro_results";
 import { OutcomeEntry, useOutcomes } from "./outcomes";
+import { isPlannedOnly, putForPlanning } from "./planned_only";
 
 export interface MappingData {
   micro: Micro;
@@ -13,6 +14,7 @@ export interface Estimate {
   value: number | null;
   interval: [number | null, number | null];
   n: number;
+  too_few?: number[];  // the values, ascending, where they are too few for the interval
 }
 
 // A line of the table of statistics (reports/summary/statistics.h).
@@ -194,6 +196,7 @@ interface Payload {
 
 export interface Report extends Omit<Payload, "trials" | "worlds"> {
   trials: Trial[];
+  plannedOnly: boolean;  // nobody flew
   worlds: Map<string, World>;
   planners: string[];
   groups: string[];
@@ -238,10 +241,13 @@ function readTrials(columns: Payload["trials"]): Trial[] {
 export function readReport(json: string): Report {
   const payload = JSON.parse(json) as Payload;
   const trials = readTrials(payload.trials);
+  const plannedOnly = isPlannedOnly(trials);
+  if (plannedOnly) putForPlanning(payload);
   useOutcomes(payload.outcomes);
   return {
     ...payload,
     trials,
+    plannedOnly,
     worlds: new Map(payload.worlds.map((w) => [w.world_id, w])),
     planners: distinct(trials.map((t) => t.planner)),
     groups: distinct(trials.map((t) => t.scenario_group)),

@@ -28,6 +28,7 @@ export interface Frames {
 
 export interface Trace {
   trial_id: string;
+  static: boolean;  // nobody flew, the frames walk along the path at 1 m/s
   body_radius_m: number;
   footprint: Float64Array;  // x, y, ... of its corners, x forward; empty: the disc
   clearance_min_m: number;
@@ -92,6 +93,7 @@ function decodeTrace(json: string): Trace {
   const metres = (flat: number[]): Float64Array => points(flat, 1000);
   return {
     trial_id: raw.trial_id,
+    static: raw.static,
     body_radius_m: raw.body_radius_m,
     footprint: metres(raw.footprint ?? []),
     clearance_min_m: raw.clearance_min_m,

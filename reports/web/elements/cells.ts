@@ -26,12 +26,19 @@ export function rateCell(rate: Rate, digits = kShareDigits): HTMLElement {
       `${fixed(100 * (high ?? NaN), digits)}]`));
 }
 
+// What stands behind a bootstrapped value: its interval, or the values where they are too few for one.
+export function spreadText(estimate: Estimate, digits: number): string {
+  const [low, high] = estimate.interval;
+  const few = estimate.too_few ?? [];
+  if (few.length === 1) return "one value";
+  if (few.length > 1) return `too few: ${few.map((v) => fixed(v, digits)).join(", ")}`;
+  return low === null ? "" : `[${fixed(low, digits)}, ${fixed(high, digits)}]`;
+}
+
 // A number of the table of statistics, of `ofAll` trials.
 export function statisticCell(statistic: Statistic, estimate: Estimate, ofAll: number): HTMLElement {
   if (statistic.rate) return rateCell(estimate as Rate, statistic.digits);
-  const [low, high] = estimate.interval;
-  const parts = [];
-  if (low !== null) parts.push(`[${fixed(low, statistic.digits)}, ${fixed(high, statistic.digits)}]`);
+  const parts = [spreadText(estimate, statistic.digits)].filter((t) => t);
   if (estimate.n !== ofAll) parts.push(`over ${estimate.n}`);
   return el("span", {}, fixed(estimate.value, statistic.digits),
     parts.length > 0 && el("small", {}, parts.join(" ")));

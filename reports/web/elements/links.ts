@@ -1,3 +1,5 @@
+import { placeOf } from "./chosen";
+
 // Where a reader is, in the fragment of the address: #PAGE, or #replay=ID,ID&t=SECONDS.
 
 export interface ReplayPlace {
@@ -11,7 +13,7 @@ export function replayLink(trialIds: string[], t_s: number | null = null): strin
 }
 
 export function readReplayLink(fragment: string): ReplayPlace | null {
-  const match = /^#replay=([^&]+)(?:&t=([0-9.]+))?$/.exec(fragment);
+  const match = /^#replay=([^&]+)(?:&t=([0-9.]+))?$/.exec(placeOf(fragment));
   if (!match) return null;
   try {
     return {

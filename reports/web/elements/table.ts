@@ -1,3 +1,4 @@
+import { choose, chosen } from "./chosen";
 import { el } from "./dom";
 
 // A table whose columns sort when their heading is pressed.
@@ -18,6 +19,11 @@ function compare(a: number | string, b: number | string): number {
   return Number.isNaN(a) ? (Number.isNaN(b) ? 0 : 1) : Number.isNaN(b) ? -1 : a - b;
 }
 
+// How the address calls it: "sort.everything-in-numbers" of "Everything in numbers (95 % ...".
+function orderKey(caption: string): string {
+  return `sort.${caption.split(/[(:]/)[0].toLowerCase().replace(/[^a-z]+/g, "-").replace(/^-|-$/g, "")}`;
+}
+
 export function table<Row>(
   caption: string, columns: Column<Row>[], rows: Row[], rowClass: (row: Row) => string = () => ""
 ): HTMLElement {
@@ -33,6 +39,8 @@ export function table<Row>(
         { class: [column.text && "text", column.wrap && "wrap"].filter(Boolean).join(" ") },
         column.cell(row))))));
   };
+  const said = chosen(orderKey(caption));  // a heading, after a minus where it descends
+  fill(rows);
   columns.forEach((column, k) => {
     const { order } = column;
     if (!order) {
@@ -40,8 +48,8 @@ export function table<Row>(
       return;
     }
     const press = el("button", { type: "button" }, column.heading);
-    press.addEventListener("click", () => {
-      const down = headings[k].getAttribute("aria-sort") === "ascending";
+    const name = press.textContent ?? "";
+    const sort = (down: boolean): void => {
       headings.forEach((h) => h.removeAttribute("aria-sort"));
       headings[k].setAttribute("aria-sort", down ? "descending" : "ascending");
       fill([...rows].sort((a, b) => {
@@ -49,10 +57,15 @@ export function table<Row>(
         const absent = Number.isNaN(order(a)) || Number.isNaN(order(b));
         return down && !absent ? -sign : sign;
       }));
+    };
+    press.addEventListener("click", () => {
+      const down = headings[k].getAttribute("aria-sort") === "ascending";
+      choose(orderKey(caption), down ? `-${name}` : name);
+      sort(down);
     });
     headings[k].append(press);
+    if (said === name || said === `-${name}`) sort(said !== name);
   });
-  fill(rows);
   return el("div", { class: "scroll", tabindex: "0", role: "region", "aria-label": caption },
     el("table", {}, el("caption", {}, caption), el("thead", {}, el("tr", {}, ...headings)), body));
 }

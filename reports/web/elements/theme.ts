@@ -1,4 +1,5 @@
 // Light or dark: as the system says, until the reader says otherwise.
+import { choose, chosen } from "./chosen";
 import { button } from "./dom";
 
 const kDark = "(prefers-color-scheme: dark)";
@@ -10,7 +11,8 @@ function setTheme(theme: string): void {
 
 export function followSystemTheme(): void {
   const query = matchMedia(kDark);
-  const follow = (): void => setTheme(query.matches ? "dark" : "light");
+  const follow = (): void => setTheme(chosen("theme") === "dark" || chosen("theme") === "light"
+    ? chosen("theme") : query.matches ? "dark" : "light");
   query.addEventListener("change", follow);
   follow();
   // Ink on paper, whatever the screen shows.
@@ -23,6 +25,8 @@ export function followSystemTheme(): void {
 }
 
 export function themeButton(): HTMLButtonElement {
-  return button("Light / dark", "Switch between light and dark", () =>
-    setTheme(document.documentElement.dataset.theme === "dark" ? "light" : "dark"));
+  return button("Light / dark", "Switch between light and dark", () => {
+    choose("theme", document.documentElement.dataset.theme === "dark" ? "light" : "dark");
+    setTheme(chosen("theme"));
+  });
 }

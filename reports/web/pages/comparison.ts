@@ -21,8 +21,8 @@ function changeCell(change: Change, statistic: Statistic): HTMLElement {
   return el("span", { class: kind, title: change.test && `${change.test}, p = ${fixed(change.p, 4)}, ` +
     `corrected ${fixed(change.p_holm, 4)}` }, change.n === 0 ? "\u2013" : `${signed(change.value, 1)} ${unit}`,
     word && el("b", {}, ` ${word}`),
-    change.interval[0] !== null && el("small", {}, `[${signed(change.interval[0], 1)}, ` +
-      `${signed(change.interval[1], 1)}] over ${change.n}`));
+    change.n > 0 && el("small", {}, change.interval[0] === null ? `${change.test && "too few for an interval, "}over ${change.n}`
+      : `[${signed(change.interval[0], 1)}, ${signed(change.interval[1], 1)}] over ${change.n}`));
 }
 
 function changeTable(rows: PlannerChange[], statistics: Statistic[], palette: Palette): HTMLElement {

@@ -22,6 +22,10 @@ function plotOf(
       logarithmic ? "A planner without a value above 0 has no row." : "", samples, value, palette, logarithmic);
 }
 
+function hasValues(statistic: Statistic, samples: Sample[]): boolean {
+  return samples.some(({ trials }) => trials.some((t) => !Number.isNaN(Number(t[statistic.column]))));
+}
+
 export function distributions(report: Report, palette: Palette, filter: Filter): HTMLElement {
   const vehicles = report.vehicles.filter((v) => !filter.vehicle || v === filter.vehicle);
   const asking = report.summary.statistics.filter((s) => s.question !== "");
@@ -29,7 +33,7 @@ export function distributions(report: Report, palette: Palette, filter: Filter):
     const samples = samplesOf(report, { ...filter, vehicle });
     return [
       vehicles.length > 1 ? el("h3", { class: "vehicle" }, vehicle) : null,
-      el("div", { class: "plots" }, ...asking.map((s) =>
+      el("div", { class: "plots" }, ...asking.filter((s) => hasValues(s, samples)).map((s) =>
         plotOf(report, s, samples, palette, i === 0 ? "" : `-${i + 1}`))),
     ];
   }));

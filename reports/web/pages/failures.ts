@@ -55,7 +55,8 @@ function columnsFor(report: Report, palette: Palette, scenes: Map<string, Scene>
     { heading: "scenario, vehicle, repetition", text: true, order: (t) => t.scenario,
       cell: (t) => el("span", {}, nameOf(t.scenario),
         el("small", {}, nameOf(`${vehicleOf(t)}, repetition ${t.repetition}`))) },
-    { heading: "after, s", order: (t) => t.duration_s, cell: (t) => fixed(t.duration_s, 2) },
+    ...(report.plannedOnly ? [] : [
+      { heading: "after, s", order: (t: Trial) => t.duration_s, cell: (t: Trial) => fixed(t.duration_s, 2) }]),
     { heading: "reason", text: true, wrap: true, order: (t) => t.reason,
       cell: (t) => el("bdi", {}, t.reason) },
     { heading: "replay", text: true, cell: (t) => replayCell(report, t) },

@@ -52,9 +52,9 @@ function detailTable(
     order: (r) => r.statistics[s.name].value ?? NaN,
   });
   const columns: Column<PlannerSummary>[] = [
-    { heading: "scenarios", text: true, cell: (r) => nameOf(groupName(r)), order: groupName },
     { heading: "planner", text: true, cell: (r) => plannerCell(r.planner, palette),
       order: (r) => r.planner },
+    { heading: "scenarios", text: true, cell: (r) => nameOf(groupName(r)), order: groupName },
     { heading: "n", cell: (r) => String(r.n), order: (r) => r.n, title: "trials, failures included" },
     { heading: "rank", cell: (r) => String(r.rank), order: (r) => r.rank,
       title: "1 + planners of the group that are significantly better on the same worlds: they reach the goal more " +

@@ -1,5 +1,5 @@
 // What others published of the BARN challenge's courses, and this run beside it.
-import { plannerCell, rateCell } from "../elements/cells";
+import { plannerCell, rateCell, spreadText } from "../elements/cells";
 import type { Difference, Estimate, Published, Standing } from "../data/data";
 import { el, fixed, nameOf } from "../elements/dom";
 import { Palette } from "../elements/palette";
@@ -7,9 +7,8 @@ import type { Filter } from "../data/sample";
 import { table } from "../elements/table";
 
 function estimateCell(estimate: Estimate, digits: number): HTMLElement {
-  const [low, high] = estimate.interval;
-  return el("span", {}, fixed(estimate.value, digits),
-    low !== null && el("small", {}, `[${fixed(low, digits)}, ${fixed(high, digits)}]`));
+  const spread = spreadText(estimate, digits);
+  return el("span", {}, fixed(estimate.value, digits), spread && el("small", {}, spread));
 }
 
 function standingsTable(rows: Standing[], palette: Palette): HTMLElement {

@@ -9,6 +9,7 @@ import { replayLink } from "../elements/links";
 import { footprintAt } from "../replay/replay_geometry";
 import { Filter, keeps } from "../data/sample";
 import { extentOf, firstPerPlanner, Scene, scenesOf } from "../data/scene";
+import { arrivedOf, keptOfRun } from "../data/kept";
 import { loadTrace, Trace } from "../data/trace";
 
 const kSide = 400;  // of the drawing, in its own units
@@ -144,8 +145,9 @@ export async function sceneDrawing(
 }
 
 function resultText(trial: Trial): string {
-  return failed(trial.outcome) ? `after ${fixed(trial.duration_s, 1)} s`
-    : `ratio ${fixed(trial.path_ratio, 3)}, ${fixed(trial.duration_s, 1)} s`;
+  const time = Number.isNaN(trial.duration_s) ? "" : `${fixed(trial.duration_s, 1)} s`;
+  if (failed(trial.outcome)) return time && `after ${time}`;
+  return [`ratio ${fixed(trial.path_ratio, 3)}`, time].filter((t) => t).join(", ");
 }
 
 // Of the world, where the run says so.
@@ -155,11 +157,12 @@ function difficultyText(trial: Trial): string {
     ? `${free}, narrowest passage ${fixed(trial.narrowest_passage_m, 2)} m` : free;
 }
 
-function trialLine(trial: Trial, palette: Palette): HTMLElement {
+function trialLine(report: Report, trial: Trial, palette: Palette): HTMLElement {
   return el("li", { class: palette.className(trial.planner), title: trial.reason },
     palette.swatch(trial.planner), nameOf(trial.planner),
     outcomeText(trial.outcome),
-    el("span", { class: "result soft" }, resultText(trial)));
+    el("span", { class: "result soft", title: "this flight; of all in this scenario" },
+      [resultText(trial), arrivedOf(report, trial)].filter((t) => t).join("; ")));
 }
 
 function sceneCard(report: Report, scene: Scene, shown: Set<string>, mapOf: string,
@@ -172,7 +175,7 @@ function sceneCard(report: Report, scene: Scene, shown: Set<string>, mapOf: stri
       ...waysButtons(report, trials, "scene", scene.scenario, () => card.querySelector<SVGElement>("svg.world"))),
     place,
     el("p", { class: "note" }, `${scene.vehicle}, repetition ${trials[0].repetition}${difficultyText(trials[0])}`),
-    el("ul", {}, ...trials.map((t) => trialLine(t, palette))));
+    el("ul", {}, ...trials.map((t) => trialLine(report, t, palette))));
   const draw = (): void => {
     void sceneDrawing(report, scene, trials, mapOf, palette)
       .then((picture) => place.replaceWith(picture))
@@ -230,14 +233,16 @@ export function scenesSection(
   };
   extend();
   return el("div", {},
-    el("p", {}, "Grey: the true world. Dots: points the range finder returned until the end. Dashed " +
+    el("p", {}, report.plannedOnly ? "Grey: the world, known to the planner. Lines: the path that each planner found." :
+      "Grey: the true world. Dots: points the range finder returned until the end. Dashed " +
       "outlines: hulls of the clusters they were grouped into. Lines: where each planner flew; a " +
       "sign marks where a trial failed, a disc is the body at the end."),
+    keptOfRun(report) && el("p", { class: "note" }, `${keptOfRun(report)}: what is drawn here is of these.`),
     drawn < report.stored_traces && el("p", { class: "note" },
       `${drawn} of ${report.stored_traces} stored trials are drawn and can be replayed here: for every ` +
       "planner and scenario the best, the median and the worst path and each way of failing, first of " +
       "all one world of every scenario. The others are in the results store."),
-    el("div", { class: "controls" },
+    !report.plannedOnly && el("div", { class: "controls" },
       select("Points and hulls as known to",
         planners.map((p) => ({ value: p, text: p })), mapOf, (value) => {
           mapOf = value;

@@ -1,5 +1,5 @@
 // One row per planner: box from quartile to quartile, whiskers at 5 and 95 %, every trial as a dot,
-// those that failed hollow.
+// those that failed hollow. Where the values are few they stand alone: one of them is one dot.
 import { axisBottom } from "d3-axis";
 import { ascending, quantile } from "d3-array";
 import { scaleBand, scaleLinear, scaleLog } from "d3-scale";
@@ -12,6 +12,8 @@ import { Palette } from "../elements/palette";
 import { Sample, Value } from "../data/sample";
 
 const kMostDots = 400;  // of a row; failures are always drawn
+const kLeastRow = 34;    // a name, and a box below it
+const kFewestBoxed = 6;  // below, quartiles are little more than the values
 
 interface Row {
   planner: string;
@@ -41,6 +43,7 @@ function readable(value: number): string {
 function drawBox(g: SVGElement, row: Row, value: Value, { x, mid, half }: Place): void {
   const values = row.shown.map(value).sort(ascending);
   const at = (p: number): number => quantile(values, p) as number;
+  if (values.length < kFewestBoxed) return;
   g.append(
     svg("line", { class: "whisker", x1: x(at(0.05)), x2: x(at(0.95)), y1: mid, y2: mid }),
     svg("rect", { class: "box", x: x(at(0.25)), width: Math.max(1, x(at(0.75)) - x(at(0.25))),
@@ -56,7 +59,7 @@ function drawDots(g: SVGElement, row: Row, value: Value, { x, mid, half }: Place
   row.shown.forEach((trial, i) => {
     if (i % step !== 0 && !failed(trial.outcome)) return;
     g.append(svg("circle", { class: failed(trial.outcome) ? "failed" : "dot", r: 2.6,
-      cx: x(value(trial)).toFixed(1), cy: (mid + 2 * half * jitter(i)).toFixed(1),
+      cx: x(value(trial)).toFixed(1), cy: (mid + (row.shown.length < kFewestBoxed ? 0 : 2 * half * jitter(i))).toFixed(1),
       "data-tip": `${row.planner}, ${trial.scenario}, repetition ${trial.repetition}\n` +
         `${readable(value(trial))}, ${outcomeWords(trial.outcome)}` }));
   });
@@ -80,10 +83,11 @@ export function boxPlot(
     shown: s.trials.filter((t) => !Number.isNaN(value(t)) && (!logarithmic || value(t) > 0)),
   })).filter((row) => row.shown.length > 0);
   const x = scaleFor(rows.flatMap((r) => r.shown.map(value)).sort(ascending), logarithmic);
+  const height = Math.max(kHeight, kMargin.top + kMargin.bottom + kLeastRow * rows.length);
   const band = scaleBand().domain(rows.map((r) => r.planner))
-    .range([kMargin.top, kHeight - kMargin.bottom]).padding(0.25);
-  const root = frame(title);
-  drawAxes(root, { x, xName, y: null, yName: "planner",
+    .range([kMargin.top, height - kMargin.bottom]).padding(0.25);
+  const root = frame(title, height);
+  drawAxes(root, { x, xName, y: null, yName: "planner", height,
     xTicks: logarithmic ? axisBottom(x).ticks(5, "~g") : undefined });
   for (const row of rows) {
     const place = { x, mid: (band(row.planner) ?? 0) + band.bandwidth() / 2,
@@ -99,7 +103,8 @@ export function boxPlot(
     root.append(g);
   }
   return figureOf(id, title,
-    `Box: quartiles and median; whiskers: 5 and 95 %; dots: trials, hollow where they failed. ${note}`,
+    `Box: quartiles and median; whiskers: 5 and 95 %; dots: trials, hollow where they failed; ` +
+      `no box of fewer than ${kFewestBoxed}. ${note}`,
     root, legend(rows.map((r) => ({ planner: r.planner, count: `n = ${r.shown.length}` })), palette),
     () => csv(["planner", "trial_id", "outcome", xName], rows.flatMap((r) =>
       r.shown.map((t) => [r.planner, t.trial_id, t.outcome, value(t)]))));

@@ -11,8 +11,8 @@ export const kWidth = 560;
 export const kHeight = 340;
 export const kMargin = { top: 12, right: 28, bottom: 46, left: 58 };
 
-export function frame(label: string): SVGElement {
-  return svg("svg", { viewBox: `0 0 ${kWidth} ${kHeight}`, role: "img", "aria-label": label });
+export function frame(label: string, height = kHeight): SVGElement {
+  return svg("svg", { viewBox: `0 0 ${kWidth} ${height}`, role: "img", "aria-label": label });
 }
 
 // On a logarithmic axis a line per digit would be a thicket: powers of ten, if there are two of them.
@@ -30,14 +30,16 @@ export interface Axes {
   yName: string;
   yTicks?: any;
   yGrid?: boolean;
+  height?: number;  // of the frame
 }
 
 export function drawAxes(root: SVGElement, axes: Axes): void {
   const { x, y } = axes;
-  const inner = kHeight - kMargin.bottom;
+  const height = axes.height ?? kHeight;
+  const inner = height - kMargin.bottom;
   const grid = select(root).append("g").attr("class", "grid");
   grid.append("g").attr("transform", `translate(0,${inner})`)
-    .call(axisBottom(x).tickValues(gridValues(x)).tickSize(kMargin.top - inner).tickFormat(() => ""))
+    .call(axisBottom(x).tickValues(axes.xTicks?.tickValues() ?? gridValues(x)).tickSize(kMargin.top - inner).tickFormat(() => ""))
     .select(".domain").remove();
   if (axes.yGrid) {
     grid.append("g").attr("transform", `translate(${kMargin.left},0)`)
@@ -52,7 +54,7 @@ export function drawAxes(root: SVGElement, axes: Axes): void {
       .call(axes.yTicks ?? axisLeft(y).ticks(5));
   }
   root.append(
-    svg("text", { class: "label", x: (kMargin.left + kWidth - kMargin.right) / 2, y: kHeight - 8,
+    svg("text", { class: "label", x: (kMargin.left + kWidth - kMargin.right) / 2, y: height - 8,
       "text-anchor": "middle" }, axes.xName),
     svg("text", { class: "label", x: 14, y: (kMargin.top + inner) / 2, "text-anchor": "middle",
       transform: `rotate(-90 14 ${(kMargin.top + inner) / 2})` }, axes.yName));

@@ -1,5 +1,7 @@
 // Up to four trials of one scene on one clock.
 import { Report, Trial, World } from "../data/data";
+import { keptOfRun } from "../data/kept";
+import { standAt } from "../elements/chosen";
 import { button, checkbox, el, fixed, nameOf, select } from "../elements/dom";
 import { readReplayLink, replayLink, ReplayPlace } from "../elements/links";
 import { outcomeText } from "../elements/outcome_text";
@@ -11,7 +13,7 @@ import { everyLayer, layerSwitches } from "./replay_layers";
 import { commandOf } from "../elements/repeat_command";
 import { extentOf, firstPerPlanner, Scene, scenesOf } from "../data/scene";
 import { modeStrip } from "./mode_strip";
-import { kQuantities, Series, timeSeries } from "./time_series";
+import { actuatorsOf, kQuantities, Series, timeSeries } from "./time_series";
 import { loadTrace, Trace } from "../data/trace";
 
 const kMostPanels = 4;
@@ -106,7 +108,9 @@ export class Replay {
       this.setPlaying(false);
       this.seek(Number(this.slider.value));
     });
+    const kept = keptOfRun(this.report);
     return el("div", {},
+      kept && el("p", { class: "note" }, `${kept}.`),
       this.choices,
       el("div", { class: "clock" },
         button("|\u25C0", "To the start (Home)", () => this.seek(0)),
@@ -114,7 +118,7 @@ export class Replay {
         this.playButton,
         button("+", "One scan on (right arrow)", () => this.step(1)),
         button("\u25B6|", "To the end (End)", () => this.seek(this.end_s)),
-        select("speed", kSpeeds.map((v) => ({ value: String(v), text: `${v}\u00D7` })), "1",
+        select("playback", kSpeeds.map((v) => ({ value: String(v), text: `${v}\u00D7` })), "1",
           (v) => { this.speed = Number(v); }),
         select("view", kViews.map(([value, text]) => ({ value, text })), "0",
           (v) => { this.around_m = Number(v); this.paint(); }),
@@ -122,8 +126,11 @@ export class Replay {
         button("Link", "Put this moment into the address", () => this.writeLink())),
       this.panelGrid,
       el("div", { class: "controls layers", role: "group", "aria-label": "Layers" },
-        ...layerSwitches(this.layers, () => this.paint()), this.speedLegend()),
-      el("p", { class: "note" }, "Disc or polygon: the body; dotted circle: the clearance it plans with; cross: " +
+        ...layerSwitches(this.layers, this.report.plannedOnly, () => this.paint()),
+        this.report.plannedOnly ? null : this.speedLegend()),
+      el("p", { class: "note" }, this.report.plannedOnly ? "Nobody flies: the disc walks along the path at 1 m/s. " +
+        "Dotted circle: the clearance it plans with; thin lines: what the search looked at. Space plays, arrows step, " +
+        "with shift a second, Home and End jump; press a curve to go there." : "Disc or polygon: the body; dotted circle: the clearance it plans with; cross: " +
         "the setpoint; dashed line: the plan; dashed outlines: clusters, grouped as the map grouped them " +
         "at that moment; thin lines: what the planner's latest search looked at (of VoronoiRoadmap the Voronoi " +
         "edges wide enough to pass); band: what the body sweeps if it brakes after this scan's course, proved free. Space plays, arrows step, with shift a second, Home and End jump; press a curve to go there."),
@@ -164,8 +171,8 @@ export class Replay {
     this.panelGrid.replaceChildren(...this.panels.map((panel) => panel.figure));
     const seek = (t: number): void => this.seek(t);
     this.series = [
-      ...kQuantities.map((q) => timeSeries(q, trials, traces, this.end_s, this.palette, seek)),
-      modeStrip(trials, traces, this.end_s, this.palette, seek),
+      ...[...kQuantities, actuatorsOf(traces)].filter((q) => !q.flown || !this.report.plannedOnly).map((q) => timeSeries(q, trials, traces, this.end_s, this.palette, seek)),
+      this.report.plannedOnly ? null : modeStrip(trials, traces, this.end_s, this.palette, seek),
     ].filter((s): s is Series => s !== null);
     this.seriesGrid.replaceChildren(...this.series.map((s) => s.element));
     this.showChoices();
@@ -263,20 +270,18 @@ export class Replay {
   }
 
   private writeLink(): void {
-    history.replaceState(null, "",
-      replayLink(this.panels.map((panel) => panel.trial.trial_id), this.t_s));
+    standAt(replayLink(this.panels.map((panel) => panel.trial.trial_id), this.t_s));
   }
 
   private onKey(event: KeyboardEvent): void {
     const target = event.target as HTMLElement;
-    const here = target === document.body || this.element.contains(target);
     const typing = ["SELECT", "INPUT"].includes(target.tagName) && target !== this.slider;
-    if (!here || typing || event.ctrlKey || event.metaKey || event.altKey || !this.onScreen()) return;
+    if (typing || event.ctrlKey || event.metaKey || event.altKey || !this.onScreen()) return;
     if (event.key === " " && target.tagName !== "BUTTON") this.toggle();
     else if (event.key === "ArrowRight") this.jump(event.shiftKey ? 1 : 0, 1);
     else if (event.key === "ArrowLeft") this.jump(event.shiftKey ? -1 : 0, -1);
-    else if (event.key === "Home" && target !== document.body) this.seek(0);
-    else if (event.key === "End" && target !== document.body) this.seek(this.end_s);
+    else if (event.key === "Home") this.seek(0);
+    else if (event.key === "End") this.seek(this.end_s);
     else return;
     event.preventDefault();
   }

@@ -28,7 +28,10 @@ export function isGoverned(trace: Trace): boolean {
 
 export function factsAt(trace: Trace, k: number): [name: string, value: string][] {
   const f = trace.frames;
-  const facts: [string, string][] = [
+  const facts: [string, string][] = trace.static ? [
+    ["clearance", `${fixed(f.clearance_m[k], 2)} m`],
+    ["position", `${fixed(f.x_m[k], 2)}, ${fixed(f.y_m[k], 2)} m`],
+  ] : [
     ["mode", wordsOf(trace.modes[f.mode[k]] ?? "\u2013")],
     ["speed", `${fixed(f.speed_m_s[k], 2)} m/s`],
     ["clearance", `${fixed(f.clearance_m[k], 2)} m`],
@@ -37,10 +40,10 @@ export function factsAt(trace: Trace, k: number): [name: string, value: string][
     ["clusters", String(hullsOf(trace, k).length)],
     ["planning", `${fixed(f.planning_time_us[k], 0)} \u00B5s`],
   ];
-  if (trace.searches > 0) {
+  if (trace.searches > 0 && !trace.static) {
     facts.push(["search", searchAt(trace, k)], ["planned again", wordsOf(trace.replan_reasons[f.replan[k]] ?? "no")],
       ["solve ended by", wordsOf(trace.solve_ends[f.solve_end[k]] ?? "\u2013")]);
   }
-  if (isGoverned(trace)) facts.push(["governor", governorAt(trace, k)]);
+  if (isGoverned(trace) && !trace.static) facts.push(["governor", governorAt(trace, k)]);
   return facts;
 }

@@ -20,20 +20,28 @@ export interface Quantity {
   title: string;
   unit: string;
   lines: (frames: Frames) => Float64Array[];
+  flown?: boolean;  // only of what flew
 }
 
 const kDegrees = 180 / Math.PI;
 
 export const kQuantities: Quantity[] = [
-  { id: "speed", title: "Speed", unit: "m/s", lines: (f) => [f.speed_m_s] },
+  { id: "speed", flown: true, title: "Speed", unit: "m/s", lines: (f) => [f.speed_m_s] },
   { id: "clearance", title: "Clearance, centre to surface", unit: "m", lines: (f) => [f.clearance_m] },
-  { id: "share", title: "Speed that the governor allowed", unit: "% of what was asked",
+  { id: "share", flown: true, title: "Speed that the governor allowed", unit: "% of what was asked",
     lines: (f) => f.tube.some((tube) => tube.length > 0) ? [f.share.map((v) => 100 * v)] : [] },
-  { id: "tilt", title: "Tilt", unit: "degrees", lines: (f) => [f.tilt_rad.map((v) => v * kDegrees)] },
-  { id: "planning", title: "Planning time per scan (measured)", unit: "\u00B5s",
+  { id: "tilt", flown: true, title: "Tilt", unit: "degrees", lines: (f) => [f.tilt_rad.map((v) => v * kDegrees)] },
+  { id: "planning", flown: true, title: "Planning time per scan (measured)", unit: "\u00B5s",
     lines: (f) => [f.planning_time_us] },
-  { id: "actuators", title: "Actuators, rotor speeds of a quadrotor", unit: "rad/s", lines: (f) => f.actuators },
 ];
+
+// What a model does not have stays 0 (dynamics/models): four rotors, a cart's two wheels, a car's steering.
+export function actuatorsOf(traces: Trace[]): Quantity {
+  const used = (f: Frames): Float64Array[] => f.actuators.filter((line) => line.some((v) => v !== 0));
+  const most = traces.reduce((n, { frames }) => Math.max(n, used(frames).length), 0);
+  const title = most > 2 ? "Rotor speeds" : most === 2 ? "Wheel speeds, right and left" : "Steering angle";
+  return { id: "actuators", flown: true, title, unit: most > 1 ? "rad/s" : "rad", lines: used };
+}
 
 export interface Series {
   element: HTMLElement;
@@ -103,7 +111,7 @@ export function timeSeries(
     const t_s = x.invert(at);
     return [`${fixed(t_s, 2)} s`, ...traces.map((trace, i) => {
       const k = frameAt(trace, t_s);
-      return `${trials[i].planner}: ${lines[i].map((l) => fixed(l[k], 2)).join(", ")} ${quantity.unit}`;
+      return `${trials[i].planner}: ${lines[i].map((l) => fixed(l[k], 2)).join(", ") || "0"} ${quantity.unit}`;
     })].join("\n");
   }, () => undefined);
   const key = legend(trials.map((t) => ({ planner: t.planner, count: `repetition ${t.repetition}` })), palette);

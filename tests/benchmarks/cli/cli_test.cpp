@@ -451,6 +451,7 @@ TEST_F(CommandLine, ComparesNoTrialsOfTwoWorlds) {
   moved.replace(moved.find("[[2, 3, 0.5]]"), 13, "[[2, 3, 0.4]]");
   write("open.yaml", moved);
   ASSERT_EQ(voronaut("run open.yaml --out b").exit_code, 0);
+  EXPECT_THAT(voronaut("report b --compare a").err, HasSubstr("has another world"));
   const Answer other = voronaut("compare a b --across scenarios");
   EXPECT_EQ(other.exit_code, 2);
   EXPECT_EQ(other.err,

@@ -155,6 +155,18 @@ TEST_F(ReplayPage, KeysStepJumpAndPlay) {
   EXPECT_EQ(session_->evaluate("new Promise(r => setTimeout(() => "
                                "r(document.querySelector('#replay-clock').textContent), 200))"),
             stopped);
+  // Where the focus is on what brought the reader here, too.
+  for (const char* focus : {"document.activeElement.blur()",
+                            "document.querySelector('nav a[href=\"#replay\"]').focus()"}) {
+    session_->evaluate(focus);
+    session_->press("End");
+    EXPECT_EQ(frame(trace), std::to_string(trace.frames.size() - 1)) << focus;
+    session_->press("Home");
+    EXPECT_EQ(frame(trace), "0") << focus;
+    session_->press(" ");
+    EXPECT_TRUE(session_->wait_for(panel(trace) + ".dataset.frame > 2")) << focus;
+    session_->press(" ");
+  }
   expect_quiet();
 }
 

@@ -29,7 +29,7 @@ TEST_F(ReportPages, ShowsTheNumbersOfTheRecords) {
   for (const PlannerSummary& s : input.summary.groups) {
     const Estimate& reached = s.of("goal_reached_share");
     EXPECT_THAT(shown,
-                HasSubstr(s.group.scenario_group + " | " + s.planner + " | " + std::to_string(s.n) +
+                HasSubstr(s.planner + " | " + s.group.scenario_group + " | " + std::to_string(s.n) +
                           " | " + std::to_string(s.rank) + " | " + fixed(100 * reached.value, 1) +
                           " % " + std::to_string(reached.successes) + "/" + std::to_string(s.n) +
                           ", 95 % [" + fixed(100 * reached.interval.low, 1) + ", " +
@@ -124,6 +124,93 @@ TEST_F(ReportPages, APlannerThatIsSwitchedOffIsNowhere) {
     go_to(page);
     EXPECT_THAT(text("#page-" + std::string(page) + ""), Not(HasSubstr("RRTConnect"))) << page;
   }
+}
+
+TEST_F(ReportPages, OfStaticPlanningASpentBudgetIsNoTimeoutAndNothingIsSaidOfFlying) {
+  auto run = synthetic::make_run();
+  for (RunRecord& record : run.records) {
+    if (entry_of(record.outcome).failure) record.outcome = Outcome::timeout;
+    record.duration_s = record.speed_mean_m_s = record.speed_max_m_s = kAbsent;
+    record.step_time_us_mean = kAbsent;
+  }
+  for (Trace& trace : run.traces) trace.static_planning = true;
+  open(write_page("static.html", report_input_of(run, "Static")));
+  for (const char* page : {"overview", "distributions", "scenes", "failures", "replay"}) {
+    go_to(page);
+    const std::string shown = text("#page-" + std::string(page));
+    for (const char* not_said : {"timeout", "per scan", "governor", "rays", "speed", "\u2013 s"})
+      EXPECT_THAT(shown, Not(HasSubstr(not_said))) << page;
+  }
+  EXPECT_THAT(text("#page-failures"), HasSubstr("budget spent"));
+  EXPECT_THAT(text("#page-overview"), HasSubstr("planning time"));
+  expect_quiet();
+}
+
+TEST_F(ReportPages, SaysHowManyFlightsAreKeptAndThatTheyAreTheFailures) {
+  auto run = synthetic::make_run({.repetitions = 4, .traced_repetitions = 4});
+  open(write_page("all-kept.html", report_input_of(run, "All kept")), "#scenes");
+  EXPECT_THAT(text("#page-scenes"), Not(HasSubstr("are kept")));
+  std::set<std::string> failures;
+  for (const RunRecord& record : run.records)
+    if (entry_of(record.outcome).failure) failures.insert(record.trial_id);
+  std::erase_if(run.traces, [&](const Trace& trace) { return !failures.contains(trace.trial_id); });
+  const std::string said = std::to_string(run.traces.size()) + " of " +
+                           std::to_string(run.records.size()) + " flights are kept, failures only";
+  open(write_page("failures-kept.html", report_input_of(run, "Failures kept")), "#scenes");
+  EXPECT_THAT(text("#page-scenes"), HasSubstr(said));
+  const RunRecord& one = *std::find_if(run.records.begin(), run.records.end(), [&](const auto& r) {
+    return failures.contains(r.trial_id);
+  });
+  const auto like = [&](const RunRecord& r) {
+    return r.scenario == one.scenario && r.planner == one.planner;
+  };
+  const auto arrived = std::count_if(run.records.begin(), run.records.end(), [&](const auto& r) {
+    return like(r) && r.outcome == Outcome::goal_reached;
+  });
+  EXPECT_THAT(text("figure[data-scene=\"" + one.scenario + "\"]"),
+              HasSubstr("arrived " + std::to_string(arrived) + " of 4"));
+  go_to("replay");
+  EXPECT_THAT(text("#page-replay"), HasSubstr(said));
+}
+
+TEST_F(ReportPages, WhatIsChosenIsInTheAddressAndOutlivesAReload) {
+  const auto run = synthetic::make_run();
+  open(write_page("chosen.html", report_input_of(run, "Chosen")));
+  session_->evaluate(
+      "(() => { const s = document.querySelector('.filters select'); s.value = 'paper';"
+      " s.dispatchEvent(new Event('change'));"
+      " [...document.querySelectorAll('.chip')].find(c => c.textContent.includes('RRTConnect'))"
+      ".click();"
+      " document.querySelector('nav button').click(); })()");
+  const std::string press =
+      "[...document.querySelectorAll('#page-overview table')].pop().querySelectorAll('th button')";
+  session_->evaluate("(() => { " + press + "[0].click(); " + press + "[0].click(); })()");
+  go_to("scenes");
+  go_to("overview");
+  const std::string theme = session_->evaluate("document.documentElement.dataset.theme");
+  const std::string sorted =
+      "[...document.querySelectorAll('#page-overview th[aria-sort]')].map(h => h.textContent + "
+      "h.getAttribute('aria-sort')).join()";
+  const std::string before = session_->evaluate(sorted);
+  EXPECT_THAT(before, HasSubstr("descending"));
+  EXPECT_EQ(theme, "dark");
+  const std::string address = session_->evaluate("location.hash");
+  EXPECT_THAT(address, HasSubstr("group=paper"));
+  open(pages_folder() / "chosen.html", address);
+  EXPECT_EQ(session_->evaluate("document.documentElement.dataset.theme"), theme);
+  EXPECT_EQ(session_->evaluate(sorted), before);
+  EXPECT_EQ(session_->evaluate("document.querySelector('.filters select').value"), "paper");
+  EXPECT_THAT(text("#page-overview"), Not(HasSubstr("RRTConnect")));
+  EXPECT_THAT(text("#page-overview"), Not(HasSubstr("forest")));
+}
+
+TEST_F(ReportPages, AnAddressWithNamesThatAreNotThereShowsEverything) {
+  const auto run = synthetic::make_run();
+  open(write_page("unknown.html", report_input_of(run, "Unknown")),
+       "#overview?group=nowhere&without=nobody&theme=plaid&sort.everything-in-numbers=none");
+  EXPECT_THAT(text("#page-overview"), HasSubstr("forest"));
+  EXPECT_THAT(text("#page-overview"), HasSubstr("RRTConnect"));
+  EXPECT_EQ(session_->evaluate("document.documentElement.dataset.theme"), "light");
 }
 
 TEST_F(ReportPages, AHeadingSortsItsColumn) {
@@ -258,6 +345,53 @@ TEST_F(ReportPages, DrawsEachAxisOfTheSuiteAndSaysWhatItHolds) {
         << s.group.vehicle;
   }
   expect_quiet();
+}
+
+TEST_F(ReportPages, ASweepHasItsTicksWhereItsValuesAre) {
+  synthetic::RunConfig config;
+  config.groups = {"forest-0.05", "forest-0.13", "forest-0.20"};
+  config.repetitions = 2;
+  const auto run = synthetic::make_run(config);
+  open(write_page("ticks.html", report_input_of(run, "Ticks")), "#sweeps");
+  EXPECT_EQ(session_->evaluate("[...document.querySelectorAll('#sweep-0-goal_reached_share "
+                               ".axis')][0].textContent"),
+            "0.050.130.2");
+  // Four values of each point, or as many as arrived: they are drawn, and nothing is called 95 %.
+  EXPECT_GT(std::stoi(count("#sweep-0-path_ratio_median .few")), 0);
+  EXPECT_EQ(count("#sweep-0-path_ratio_median .band"), "0");
+  EXPECT_THAT(session_->evaluate("[...document.querySelectorAll('#sweep-0-path_ratio_median "
+                                 ".point')].map(p => p.dataset.tip).join()"),
+              Not(HasSubstr("95 %")));
+}
+
+TEST_F(ReportPages, TablesScrollBesideTheirFirstColumnAndFifteenNamesDoNotOverlap) {
+  synthetic::RunConfig config;
+  config.planners.clear();
+  for (int i = 0; i < 15; ++i) config.planners.push_back("Planner" + std::to_string(i));
+  config.repetitions = 7;
+  config.traced_repetitions = 0;
+  const auto file = write_page("fifteen.html", report_input_of(synthetic::make_run(config), "15"));
+  for (const int width_px : {360, 1280}) {
+    open(file, {}, {width_px, 900});
+    EXPECT_EQ(session_->evaluate("document.documentElement.scrollWidth <= window.innerWidth"),
+              "true")
+        << width_px;
+    EXPECT_EQ(session_->evaluate("[...document.querySelectorAll('#page-overview .scroll')].every("
+                                 "s => { s.scrollLeft = 1e6; return Math.abs("
+                                 "s.querySelector('td').getBoundingClientRect().left - "
+                                 "s.getBoundingClientRect().left) < 2; })"),
+              "true")
+        << width_px;
+    session_->screenshot(pages_folder() / ("fifteen-" + std::to_string(width_px) + ".png"));
+  }
+  open(file, "#distributions");
+  EXPECT_EQ(session_->evaluate(
+                "[...document.querySelectorAll('#page-distributions figure > svg')].every(p => {"
+                " const b = [...p.querySelectorAll('text.faint')].map(t => "
+                "t.getBoundingClientRect()).sort((a, b) => a.top - b.top);"
+                " return b.every((r, i) => i === 0 || b[i - 1].bottom <= r.top + 1); })"),
+            "true");
+  session_->screenshot(pages_folder() / "fifteen-distributions.png");
 }
 
 TEST_F(ReportPages, AComparisonSaysWhatChangedAndWhichTrialsEndOtherwise) {

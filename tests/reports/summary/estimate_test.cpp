@@ -36,11 +36,11 @@ TEST(Quantile, InterpolatesBetweenOrderStatistics) {
 }
 
 TEST(QuantileEstimate, LeavesAbsentValuesOutAndCountsTheRest) {
-  const Estimate e = quantile_estimate({3, kAbsent, 1, 2, kAbsent}, 0.5);
-  EXPECT_EQ(e.n, 3);
-  EXPECT_DOUBLE_EQ(e.value, 2.0);
+  const Estimate e = quantile_estimate({3, kAbsent, 1, 2, kAbsent, 6, 5, 4, 7}, 0.5);
+  EXPECT_EQ(e.n, 7);
+  EXPECT_DOUBLE_EQ(e.value, 4.0);
   EXPECT_GE(e.interval.low, 1.0);
-  EXPECT_LE(e.interval.high, 3.0);
+  EXPECT_LE(e.interval.high, 7.0);
   const Estimate nothing = quantile_estimate({kAbsent}, 0.5);
   EXPECT_EQ(nothing.n, 0);
   EXPECT_TRUE(std::isnan(nothing.value));
@@ -83,9 +83,31 @@ TEST(QuantileEstimate, IsTheSameOnEveryCall) {
 }
 
 TEST(MeanEstimate, DrawsEveryValue) {
-  const Estimate mean = mean_estimate({0.0, 1.0});
-  EXPECT_EQ(mean.interval.low, 0);
-  EXPECT_EQ(mean.interval.high, 1);
+  EXPECT_LT(mean_estimate({0, 1, 1, 1, 1, 1}).interval.low, 1);
+  EXPECT_GT(mean_estimate({0, 0, 0, 0, 0, 1}).interval.high, 0);
+}
+
+TEST(MeanEstimate, OfFewerThanSixValuesHasTheValuesAndNoInterval) {
+  const Estimate five = mean_estimate({5, 4, kAbsent, 3, 2, 1});
+  EXPECT_TRUE(std::isnan(five.interval.low));
+  EXPECT_TRUE(std::isnan(five.interval.high));
+  EXPECT_EQ(five.too_few, (std::vector<double>{1, 2, 3, 4, 5}));
+  EXPECT_EQ(quantile_estimate({7}, 0.5).too_few, std::vector<double>{7});
+  const Estimate six = quantile_estimate({1, 2, 3, 4, 5, 6}, 0.5);
+  EXPECT_FALSE(std::isnan(six.interval.low));
+  EXPECT_TRUE(six.too_few.empty());
+  EXPECT_FALSE(std::isnan(wilson_rate(1, 2).interval.low)) << "a share has one at any n";
+}
+
+TEST(BootstrapTest, OfFewerThanSixUnitsHasNoIntervalAndNoPBelowFivePercent) {
+  for (const std::size_t n : {5U, 6U}) {
+    ResampledUnits units;
+    units.units = n;
+    for (std::size_t i = 0; i < n; ++i) units.unit_of.push_back(i);
+    const TestedEstimate one = bootstrap_test(units, [](const auto&) { return 1.0; }, {});
+    EXPECT_EQ(std::isnan(one.estimate.interval.low), n == 5) << n;
+    EXPECT_EQ(one.p < 0.05, n == 6) << n;
+  }
 }
 
 TEST(MeanEstimate, CoversTheMeanOfManySamplesAtItsRate) {

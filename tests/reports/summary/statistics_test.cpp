@@ -119,7 +119,7 @@ TEST(Statistics, SayOverWhatTheyAre) {
 }
 
 TEST(StatisticText, WritesAShareInPercentAndANumberWithItsInterval) {
-  const auto list = records();
+  auto list = records();
   const auto text = [&](const char* name, auto&& form) {
     const Statistic& one = statistic(name);
     return form(one, estimate_of(one, pointers(list)), outcome_counts(pointers(list)));
@@ -127,11 +127,20 @@ TEST(StatisticText, WritesAShareInPercentAndANumberWithItsInterval) {
   EXPECT_EQ(text("goal_reached_share", brief_text), "60.0 % [23.1, 88.2]");
   EXPECT_EQ(text("goal_reached_share", full_text), "3 of 5, 60.0 % [23.1, 88.2]");
   EXPECT_EQ(text("path_ratio_median", brief_text), "1.100");
-  EXPECT_EQ(text("path_ratio_median", full_text), "1.100 [1.000, 1.200]");
+  EXPECT_EQ(text("path_ratio_median", full_text), "1.100 (too few: 1.000, 1.100, 1.200)");
   EXPECT_EQ(text("clearance_smallest_m", full_text), "0.250 over 4")
       << "says it where not all of its trials have a value";
   EXPECT_EQ(other_outcomes(outcome_counts(pointers(list)), kText), "1 collision, 1 infeasible");
   EXPECT_EQ(other_outcomes(outcome_counts(pointers(list)), kEvidence), "1 infeasible");
+  list.front().outcome = Outcome::timeout;
+  EXPECT_EQ(other_outcomes(outcome_counts(pointers(list)), kEvidence), "1 timeout, 1 infeasible");
+  EXPECT_EQ(other_outcomes(outcome_counts(pointers(list)), kEvidence, false),
+            "1 budget spent, 1 infeasible")
+      << "of static planning";
+  list.front().outcome = Outcome::goal_reached;
+  const auto once = list;
+  for (int more = 0; more < 2; ++more) list.insert(list.end(), once.begin(), once.end());
+  EXPECT_EQ(text("path_ratio_median", full_text), "1.100 [1.000, 1.200]");
 }
 
 TEST(StatisticText, RoundsHalvesAwayFromZeroAsThePageDoes) {
