@@ -110,7 +110,7 @@ TEST_F(RealRun, EveryPageShowsWhatTheDatabaseHolds) {
        ask(results,
            "select scenario_group, planner, count(*), sum(outcome = 'goal_reached'), "
            "sum(outcome = 'collision'), min(clearance_smallest_m) from trials group by 1, 2")) {
-    const auto begin = overview.find(row[0] + " | " + row[1] + " | " + row[2] + " | ");
+    const auto begin = overview.find(row[1] + " | " + row[0] + " | " + row[2] + " | ");
     ASSERT_NE(begin, std::string::npos) << row[0] << ", " << row[1];
     const std::string shown = overview.substr(begin, overview.find('\n', begin) - begin);
     EXPECT_THAT(shown, HasSubstr(" | " + share(std::stod(row[3]), std::stod(row[2])) + " % " +
