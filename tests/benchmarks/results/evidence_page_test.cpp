@@ -62,7 +62,7 @@ TEST(EvidencePage, GivesTheWorldsOfBarnTheirOwnScore) {
   barn.records.push_back(record);
   const EvidencePage page = evidence_page({barn});
   EXPECT_THAT(page.markdown, HasSubstr("BARN score"));
-  EXPECT_THAT(page.markdown, HasSubstr("| 0.219 ["));
+  EXPECT_THAT(page.markdown, HasSubstr("| 0.219 (too few: 0.000, 0.125, 0.250, 0.500) |"));
   EXPECT_THAT(evidence_page({evidence(Outcome::stuck)}).markdown,
               ::testing::Not(HasSubstr("BARN")));
 }
