@@ -17,16 +17,12 @@ GeneratedWorld straight_way(double distance_m, double reach_m) {
   return world;
 }
 
-// Circles of a cluster may lie so much farther out.
-Bounds grown(const Bounds& bounds, double by_m) {
-  return {bounds.min - Vec2::Constant(by_m), bounds.max + Vec2::Constant(by_m)};
-}
-
 }  // namespace
 
 WorldDraw draw_world(const PaperSceneConfig& config, Random& random) {
   GeneratedWorld world =
       straight_way(config.distance_m, config.spread_m + config.radius_large_m + config.margin_m);
+  // Circles of a cluster may lie so much farther out.
   if (config.clusters > 0) world.bounds = grown(world.bounds, config.cluster_radius_m);
   const Bounds about_the_line{{0, -config.spread_m}, {config.distance_m, config.spread_m}};
   CirclePlacer placer(world.shapes.circles, config.gap_min_m);

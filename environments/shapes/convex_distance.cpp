@@ -7,14 +7,6 @@ Segment side_of(std::span<const Vec2> convex, std::size_t i) {
   return {convex[i], convex[i + 1 < convex.size() ? i + 1 : 0]};
 }
 
-bool holds(std::span<const Vec2> convex, const Vec2& p) {
-  for (std::size_t i = 0; i < convex.size(); ++i) {
-    const Segment side = side_of(convex, i);
-    if (cross(side.b - side.a, p - side.a) < 0) return false;
-  }
-  return true;
-}
-
 }  // namespace
 
 double distance(std::span<const Vec2> convex, const Vec2& p) {
@@ -39,18 +31,12 @@ double distance(std::span<const Vec2> convex, const Circle& circle) {
 
 double clearance_m(const ShapeIndex& shapes, std::span<const Vec2> convex, double within_m) {
   if (shapes.is_inside_polygon(convex.front())) return 0;
-  Bounds area{convex.front(), convex.front()};
-  for (const Vec2& corner : convex) {
-    area.min = area.min.cwiseMin(corner);
-    area.max = area.max.cwiseMax(corner);
-  }
   // The nearest shape is no farther from the polygon than from its first corner.
   const double reach_m = std::min(within_m, std::max(0.0, shapes.clearance_m(convex.front())));
   double nearest_m = reach_m;
   if (reach_m == kInfinity) return reach_m;
-  const Vec2 reach = Vec2::Constant(reach_m);
   shapes.visit(
-      {area.min - reach, area.max + reach},
+      grown(bounds_of(convex), reach_m),
       [&](std::uint32_t i) {
         nearest_m = std::min(nearest_m, distance(convex, shapes.circles()[i]));
       },

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <span>
 #include <vector>
 
 #include <Eigen/Core>
@@ -43,6 +44,20 @@ struct Bounds {
   }
 };
 
+inline Bounds grown(const Bounds& area, double by_m) {
+  return {area.min - Vec2::Constant(by_m), area.max + Vec2::Constant(by_m)};
+}
+
+// Of at least one point. O(n).
+inline Bounds bounds_of(std::span<const Vec2> points) {
+  Bounds bounds{points.front(), points.front()};
+  for (const Vec2& p : points) {
+    bounds.min = bounds.min.cwiseMin(p);
+    bounds.max = bounds.max.cwiseMax(p);
+  }
+  return bounds;
+}
+
 // Where a planar body is and where it looks. `heading` is a unit vector; directions are compared by
 // cross and dot products, so no angle is ever needed in a decision.
 struct Pose2 {
@@ -51,6 +66,15 @@ struct Pose2 {
 };
 
 inline double cross(const Vec2& a, const Vec2& b) { return a.x() * b.y() - a.y() * b.x(); }
+
+// Whether a convex polygon, corners counter-clockwise, holds p: on its border too. O(corners).
+inline bool holds(std::span<const Vec2> convex, const Vec2& p) {
+  for (std::size_t i = 0; i < convex.size(); ++i) {
+    const Vec2& a = convex[i];
+    if (cross(convex[i + 1 < convex.size() ? i + 1 : 0] - a, p - a) < 0) return false;
+  }
+  return true;
+}
 
 // Quarter turn counter-clockwise: the left-hand normal of a direction.
 inline Vec2 left_of(const Vec2& v) { return {-v.y(), v.x()}; }

@@ -82,10 +82,6 @@ class Sweep {
   Vec2 along_;
 };
 
-Bounds grown(const Bounds& area, double by_m) {
-  return {area.min - Vec2::Constant(by_m), area.max + Vec2::Constant(by_m)};
-}
-
 }  // namespace
 
 // Two rounds over the same cells: count, then place. each(add) calls add(id, cell).

@@ -69,10 +69,6 @@ class Crossings {
   std::vector<double>& quarters_;
 };
 
-Bounds grown(const Bounds& area, double by_m) {
-  return {area.min - Vec2::Constant(by_m), area.max + Vec2::Constant(by_m)};
-}
-
 }  // namespace
 
 double FreeArc::position(double quarters) const {

@@ -13,8 +13,7 @@ Bounds reachable_bounds(const NavigatorConfig& config) {
   const Bounds& bounds = config.mission.bounds_world;
   const double reach_m =
       std::max(config.vehicle.planning_clearance_m, config.vehicle.body_radius_m);
-  const Vec2 rim(reach_m, reach_m);
-  return {bounds.min - rim, bounds.max + rim};
+  return grown(bounds, reach_m);
 }
 
 // How far a vehicle's course swings from its path towards a wall, at a corner or braking, in the

@@ -21,10 +21,6 @@ constexpr double kPlaceMargin_m = 1e-6;
 // Bounds up to this half extent are the domain as they are; larger ones are cut to what is known.
 constexpr double kLargeHalfExtent_m = 1000;
 
-Bounds grown(const Bounds& b, double margin_m) {
-  return {b.min - Vec2::Constant(margin_m), b.max + Vec2::Constant(margin_m)};
-}
-
 Bounds common(const Bounds& a, const Bounds& b) {
   return {a.min.cwiseMax(b.min), a.max.cwiseMin(b.max)};
 }

@@ -105,11 +105,9 @@ class FreeSpace::GrownPolygon {
       : radius_(grown_m / lattice.side_m) {
     corners_.reserve(corners_world.size());
     for (const Vec2& corner : corners_world) corners_.push_back(space.in(lattice, corner));
-    low_ = high_ = corners_.front();
-    for (const Vec2& corner : corners_) {
-      low_ = low_.cwiseMin(corner);
-      high_ = high_.cwiseMax(corner);
-    }
+    const Bounds box = bounds_of(corners_);
+    low_ = box.min;
+    high_ = box.max;
   }
 
   const Vec2& low() const { return low_; }
@@ -160,23 +158,14 @@ void FreeSpace::Lattice::mark_disc(const Vec2& center, double radius) {
 
 // A cell lies within a convex polygon if its corners do.
 void FreeSpace::Lattice::mark_convex(std::span<const Vec2> corners) {
-  Vec2 low = corners.front(), high = low;
-  for (const Vec2& corner : corners) {
-    low = low.cwiseMin(corner);
-    high = high.cwiseMax(corner);
-  }
-  const auto holds = [&](const Vec2& place) {
-    for (std::size_t i = 0; i < corners.size(); ++i)
-      if (cross(corners[(i + 1) % corners.size()] - corners[i], place - corners[i]) < 0)
-        return false;
-    return true;
-  };
+  const auto [low, high] = bounds_of(corners);
   for (int row = std::max(0, ceil_of(low.y())); row < std::min<double>(rows, high.y()); ++row) {
     for (int column = std::max(0, ceil_of(low.x())); column < std::min<double>(columns, high.x());
          ++column) {
       const Vec2 cell(column, row);
-      if (holds(cell) && holds(cell + Vec2(1, 0)) && holds(cell + Vec2(0, 1)) &&
-          holds(cell + Vec2(1, 1)))
+      if (voronaut::holds(corners, cell) && voronaut::holds(corners, cell + Vec2(1, 0)) &&
+          voronaut::holds(corners, cell + Vec2(0, 1)) &&
+          voronaut::holds(corners, cell + Vec2(1, 1)))
         free.set(row, column, column);
     }
   }

@@ -58,14 +58,9 @@ template <class IsNear>
 void FreeSpace::unknown_parts(std::span<const Vec2> corners, double reach_m,
                               std::vector<Vec2>& middles, const IsNear& is_near) const {
   middles.clear();
-  Vec2 low = corners.front(), high = low;
-  for (const Vec2& corner : corners) {
-    low = low.cwiseMin(corner);
-    high = high.cwiseMax(corner);
-  }
-  const Vec2 reach(reach_m, reach_m);
-  const Vec2 first = in(cells_, low - reach).array().floor();
-  const Vec2 last = in(cells_, high + reach).array().floor();
+  const Bounds box = grown(bounds_of(corners), reach_m);
+  const Vec2 first = in(cells_, box.min).array().floor();
+  const Vec2 last = in(cells_, box.max).array().floor();
   for (double row = first.y(); row <= last.y(); ++row) {
     for (double column = first.x(); column <= last.x(); ++column) {
       if (cells_.is_free(Vec2(column + 0.5, row + 0.5))) continue;

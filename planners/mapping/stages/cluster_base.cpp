@@ -13,10 +13,6 @@ constexpr double kFinestBoxCellM = 2;
 // The broad phase asks for a little more, so that rounding cannot lose a pair.
 constexpr double kMergeRoundingMargin = 1 + 1e-9;
 
-Bounds grown(const Bounds& box, double margin_m) {
-  return {box.min - Vec2::Constant(margin_m), box.max + Vec2::Constant(margin_m)};
-}
-
 }  // namespace
 
 ClusterBase::ClusterBase(double merge_distance_m)

@@ -12,6 +12,7 @@
 #include "voronaut/benchmarks/suite/suite_trials.h"
 #include "voronaut/dynamics/catalog.h"
 #include "voronaut/environments/config/config_node.h"
+#include "voronaut/tests/benchmarks/episode/every_trial.h"
 #include "voronaut/tests/dynamics/track_distance.h"
 
 namespace voronaut {
@@ -170,14 +171,7 @@ std::vector<TrialSpec> drives(const std::string& rest, const std::string& scenar
                          rest,
                      "s.yaml"),
                  "", planners);
-  std::vector<TrialSpec> specs;
-  SuiteTrials trials(suite);
-  ShortestReferences references = ShortestReferences::exact();
-  while (auto trial = trials.next()) {
-    references.add_to(trial->spec);
-    specs.push_back(trial->spec);
-  }
-  return specs;
+  return every_trial(suite);
 }
 
 // How many of them touch something.

@@ -9,6 +9,7 @@
 #include "voronaut/benchmarks/suite/shortest_references.h"
 #include "voronaut/benchmarks/suite/suite_trials.h"
 #include "voronaut/environments/config/config_node.h"
+#include "voronaut/tests/benchmarks/episode/every_trial.h"
 
 // Everything on wheels under the governor, from sensing to contact.
 namespace voronaut {
@@ -32,14 +33,7 @@ std::vector<TrialSpec> governed(const std::string& vehicle, const std::string& s
                             rest,
                         "s.yaml"),
       "", planners);
-  std::vector<TrialSpec> specs;
-  SuiteTrials trials(suite);
-  ShortestReferences references = ShortestReferences::exact();
-  while (auto trial = trials.next()) {
-    references.add_to(trial->spec);
-    specs.push_back(trial->spec);
-  }
-  return specs;
+  return every_trial(suite);
 }
 
 EpisodeLog drive(const TrialSpec& spec) {
